@@ -14,7 +14,7 @@ from discostorm.cli.output import Output, Rows, print_note, print_paragraph
 from discostorm.fleet import HostGroup
 from discostorm.fleet_file import MAX_BYTES
 from discostorm.lookup import as_wifi
-from discostorm.measured import error_band
+from discostorm.prediction_error import error_band
 from discostorm.ros2_endpoints import likely_shared
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY, aggregation_bounds
@@ -215,7 +215,7 @@ several_swarms_options = _swarm_options(
 
 
 def error_band_columns(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:
-    """Return the interval of the measured airtime over the model's; see `measured.ErrorBand`."""
+    """Return the interval of the measured airtime over the model's; see `ErrorBand`."""
     error = error_band(protocol.name, fleet, protocol.captured) if protocol.captured else None
     low, high = (error.low, error.high) if error and error.coverage else (None, None)
     return {"band_low": low, "band_high": high, "band_beyond": error.beyond if error else None}

@@ -11,7 +11,7 @@ import discostorm as ds
 from discostorm import wording
 from discostorm.cli import fleet_options as fleets, options, output as out
 from discostorm.cli.output import Column, Output
-from discostorm.measured import max_covered_hosts
+from discostorm.prediction_error import max_covered_hosts
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
 

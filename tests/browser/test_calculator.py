@@ -28,7 +28,7 @@ from support import HELPERS, ROOT
 from test_pages import AXE, BARRIERS
 
 import discostorm as ds
-from discostorm import drain_times, measured, wording
+from discostorm import drain_times, prediction_error, wording
 from discostorm.cli import main
 from discostorm.cli.calculator_link import calculator_link
 from discostorm.data import data_path, read_data
@@ -399,7 +399,7 @@ def test_says_the_error_band_and_the_reboot_of_the_plan(
     said = tab.locator("#calc-numbers").inner_text().replace("\u00a0", " ")
     table, fleet = PROTOCOLS[middleware], fleet_of(entries)
     assert table.captured is not None
-    band = measured.error_band(middleware, fleet, table.captured)
+    band = prediction_error.error_band(middleware, fleet, table.captured)
     assert band is not None
     assert band.sentence() in said
     again = reboot_of(entries)
@@ -423,7 +423,7 @@ def test_the_bands_meet_all_cases() -> None:
     kinds = set()
     for entries in BANDS:
         fleet = fleet_of({**entries, "robot": "own"})
-        band = measured.error_band("Fast DDS", fleet, PROTOCOLS["Fast DDS"].captured or ())
+        band = prediction_error.error_band("Fast DDS", fleet, PROTOCOLS["Fast DDS"].captured or ())
         assert band is not None
         kinds.add((band.up_to, band.beyond))
     assert kinds >= {(1.0, False), (2.0, False), (2.0, True), (math.inf, False), (math.inf, True)}

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.measured import configurations, products
 from discostorm.messages import Protocol
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
+from discostorm.protocols.measured_tables import configurations, products
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -6,9 +6,9 @@ from typing import get_args
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm.measured import product_releases, products
 from discostorm.messages import Family, Protocol, legs
 from discostorm.protocols import PROTOCOLS
+from discostorm.protocols.measured_tables import product_releases, products
 
 #: Minimum useful saving of a change [1].
 MIN_SAVING = 0.005

@@ -13,8 +13,8 @@ from discostorm import _checks, _names, wording
 from discostorm.data import read_data
 from discostorm.files import json_ready
 from discostorm.fleet import Fleet
-from discostorm.measured import ErrorBand
 from discostorm.messages import Protocol
+from discostorm.prediction_error import ErrorBand
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner import answer_text, explanation_text

@@ -9,11 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from discostorm import measured
 from discostorm.fleet import Fleet
 from discostorm.lookup import with_timers_of
 from discostorm.palette import light_colors
-from discostorm.protocols import MEASURED, PROTOCOLS
+from discostorm.protocols import MEASURED, PROTOCOLS, measured_tables
 from discostorm.ros_releases import shipped_table
 from discostorm_book.figures import drawing, servers
 from discostorm_book.figures.drawing import Look, book_figure, write_text
@@ -73,7 +72,7 @@ def times_by_change(plan: Plan, title: str) -> Figure:
 
 def times_by_configuration_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
     """Return discovery times by configuration [s], and what fails with its server."""
-    shown = {*servers.replaced_products().values(), *measured.configurations()}
+    shown = {*servers.replaced_products().values(), *measured_tables.configurations()}
     own, rows = PROTOCOLS[shipped_table(_PRODUCT, _ROS)], []
     for name in (name for name in PROTOCOLS if name in shown):
         row = {"configuration": name, "what else fails": servers.consequence_of(name)}

@@ -12,12 +12,11 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import ArrayLike, NDArray
 
-from discostorm import measured
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.model import utilization
 from discostorm.palette import light_colors
-from discostorm.protocols import PROTOCOLS
+from discostorm.protocols import PROTOCOLS, measured_tables
 from discostorm.robots import shared_endpoints
 from discostorm_book.figures import drawing
 from discostorm_book.figures.drawing import Look, book_figure, write_text
@@ -57,7 +56,7 @@ def _failures_of(name: str, event: str) -> pd.DataFrame:
 def replaced_products() -> dict[str, str]:
     """Return the product as shipped that each configuration replaces."""
     replaced = _configuration_risks("instead_of")
-    return {name: replaced[name] for name in measured.configurations()}
+    return {name: replaced[name] for name in measured_tables.configurations()}
 
 
 def small_robots(hosts: ArrayLike, names: str = "ROS 2") -> Fleet:

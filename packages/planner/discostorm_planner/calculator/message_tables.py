@@ -9,8 +9,8 @@ import discostorm as ds
 from discostorm import drain_times, figures, notation as nt
 from discostorm.data import read_data
 from discostorm.fleet import SWARM, Fleet
-from discostorm.measured import error_bands
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit, legs
+from discostorm.prediction_error import error_bands
 from discostorm.protocols import BASES, PROTOCOLS
 from discostorm.saturation import solve_hosts
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime

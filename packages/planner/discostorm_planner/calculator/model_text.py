@@ -12,7 +12,7 @@ import discostorm as ds
 from discostorm import drain_times, robots, wording
 from discostorm.data import read_data
 from discostorm.fleet_file import security_warning
-from discostorm.measured import BEYOND, SIZE_CLASSES
+from discostorm.prediction_error import BEYOND, SIZE_CLASSES
 from discostorm.protocols import BASES
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.answer_text import SENTENCES

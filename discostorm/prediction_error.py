@@ -9,11 +9,6 @@ import numpy as np
 from discostorm.data import read_data
 from discostorm.files import json_ready
 from discostorm.fleet import Fleet
-from discostorm.protocols.measured_tables import (
-    configurations as configurations,
-    product_releases as product_releases,
-    products as products,
-)
 
 #: The first 12 s of a capture, or the 24 s after them.
 Window = Literal["startup", "steady"]
