@@ -24,7 +24,7 @@ MIN_SECONDS, MAX_SECONDS = 1e-9, 1e6
 #: Largest utilization to solve for: its powers still fit a float64.
 MAX_UTILIZATION = 1e100
 #: Longest name or path that a message repeats in full [characters].
-_MAX_NAME = 200
+_MAX_SHOWN = 200
 
 
 def short_repr(value: Any) -> str:
@@ -34,7 +34,7 @@ def short_repr(value: Any) -> str:
 
 def shorten_name(text: str) -> str:
     """Return a name or a path; leave out its middle if the text is too long for a message."""
-    return text if len(text) <= _MAX_NAME else f"{text[: _MAX_NAME // 2]}...{text[-20:]}"
+    return text if len(text) <= _MAX_SHOWN else f"{text[: _MAX_SHOWN // 2]}...{text[-20:]}"
 
 
 def shorten_repr(text: str) -> str:
@@ -129,7 +129,7 @@ def number(name: str, value: Any, low: float, high: float = np.inf, **ends: bool
 
 
 @contextmanager
-def errors_of(what: str) -> Iterator[None]:
+def prefix_errors(what: str) -> Iterator[None]:
     """Prefix the errors of a ``with`` block with the name of the refused object."""
     try:
         yield

@@ -33,7 +33,7 @@ class Cell:
 
     def __post_init__(self) -> None:
         _checks.nonblank("name", self.name)
-        with _checks.errors_of(f"cell {_checks.shorten_name(self.name)!r}"):
+        with _checks.prefix_errors(f"cell {_checks.shorten_name(self.name)!r}"):
             object.__setattr__(self, "wifi", as_wifi(self.wifi))
             if self.channel is not None:
                 _checks.integer("channel", self.channel, 1, MAX_CHANNEL)
@@ -55,13 +55,13 @@ def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) 
         if name not in [of for _, of, _ in groups]:
             raise ValueError(f"cell {name!r} must be used by a group; no group names it")
     for one, other in combinations([cell for cell in cells if cell.channel is not None], 2):
-        (band, low, high), (also, least, most) = _numbers(one), _numbers(other)
+        (band, low, high), (also, least, most) = _band_and_channels(one), _band_and_channels(other)
         if band == also and low <= most and least <= high:
             named = [f"{cell.name} (channel {cell.channel})" for cell in (one, other)]
             raise ValueError(f"{' and '.join(named)} share airtime: make them one cell")
 
 
-def _numbers(cell: Cell) -> tuple[float, float, float]:
+def _band_and_channels(cell: Cell) -> tuple[float, float, float]:
     """Return the band of a cell [GHz], and the first and last channel number that it covers."""
     radio, number = as_wifi(cell.wifi).radio, cell.channel or 0
     band, width = (radio.carrier or 0.0, radio.width) if radio else (0.0, 20e6)

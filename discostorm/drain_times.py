@@ -27,7 +27,7 @@ from discostorm.wifi import PAPER
 BURST, STEADY = sp.symbols("B rho", nonnegative=True)
 
 #: When the channel has drained the backlog of the burst [s].
-DRAIN = sp.Piecewise((BURST / (1 - STEADY), STEADY < 1), (sp.oo, True))
+DRAIN_TIME = sp.Piecewise((BURST / (1 - STEADY), STEADY < 1), (sp.oo, True))
 
 #: Relative rounding error of a time [1].
 _ROUNDING = 1e-9
@@ -44,7 +44,7 @@ def burst_drain_time(extra: ArrayLike, steady: ArrayLike) -> Value:
     burst_s = _checks.numbers("extra", extra, 0, _checks.MAX_UTILIZATION)
     steady_part = _checks.numbers("steady", steady, 0, _checks.MAX_UTILIZATION)
     with np.errstate(divide="ignore", invalid="ignore"):  # NumPy computes both branches
-        return evaluate(DRAIN, {BURST: np.asarray(burst_s), STEADY: np.asarray(steady_part)})
+        return evaluate(DRAIN_TIME, {BURST: np.asarray(burst_s), STEADY: np.asarray(steady_part)})
 
 
 def drain_time(

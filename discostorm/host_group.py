@@ -98,7 +98,8 @@ class HostGroup:
     def __post_init__(self) -> None:
         for name, kind in (("name", str), ("wired", bool), ("cell", str)):
             _checks.instance(name, getattr(self, name), kind)
-        with _checks.errors_of(f"group {_checks.shorten_name(self.name)!r}" if self.name else ""):
+        group = f"group {_checks.shorten_name(self.name)!r}" if self.name else ""
+        with _checks.prefix_errors(group):
             self._check()
 
     def _check(self) -> None:

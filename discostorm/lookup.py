@@ -32,8 +32,8 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
     if isinstance(protocol, str):
         table = PROTOCOLS.find(protocol)
         rows = read_data("vendors/aliases.csv")
-        exact = [_names.key(row["alias"]) for row in rows if row["exact"] == "yes"]
-        if ros is None and _names.key(protocol) in exact:
+        exact = [_names.normalize(row["alias"]) for row in rows if row["exact"] == "yes"]
+        if ros is None and _names.normalize(protocol) in exact:
             return table
         table = PROTOCOLS[shipped_table(table.name, ros)]
         if has_server(table) and table.family == "DDS":

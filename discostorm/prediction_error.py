@@ -18,7 +18,7 @@ Window = Literal["startup", "steady"]
 SIZE_CLASSES = (1.0, 2.0, np.inf)
 
 #: How a sentence about a band ends for a fleet that is larger than any that was measured.
-BEYOND = "; this fleet is larger, so expect a factor of 2, as far as we know"
+BEYOND_CLAUSE = "; this fleet is larger, so expect a factor of 2, as far as we know"
 
 #: Fewest swarms whose minimum and maximum make an interval.
 MIN_POINTS = 6
@@ -84,7 +84,7 @@ class ErrorBand:
         return (
             f"In {part_of}{self.points} swarms {where}, which we left out of the fit, discovery "
             f"took {self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "
-            f"{self.typical:.0%}). {more}{BEYOND * self.beyond}."
+            f"{self.typical:.0%}). {more}{BEYOND_CLAUSE * self.beyond}."
         )
 
 

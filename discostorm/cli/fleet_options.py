@@ -19,12 +19,12 @@ from discostorm.ros2_endpoints import likely_shared
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY, aggregation_bounds
 
-_MATCHING = (
+_MATCHING_RULE = (
     "Measured models depend on how many endpoints match. We count ROS 2's own topics as shared by "
     "all processes, unless a fleet file sets `shared` (0 without ROS 2)."
 )
 #: Maximum number of tables whose error is printed.
-_MAX_BANDS = 3
+_MAX_PRINTED_ERRORS = 3
 
 
 @dataclass(frozen=True)
@@ -67,9 +67,9 @@ def is_all_wired(fleet: ds.Fleet) -> bool:
 def print_fleet_note(fleet: ds.Fleet) -> None:
     """Say why a fleet of one host, or without Wi-Fi, needs little or no airtime."""
     if is_all_wired(fleet):
-        print_note(wording.ALL_WIRED)
+        print_note(wording.ALL_WIRED_NOTE)
     elif fleet.hosts() == 1:
-        print_note(wording.ALONE)
+        print_note(wording.LONE_HOST_NOTE)
 
 
 def print_robot_name(rows: Rows, output: Output) -> None:
@@ -80,7 +80,7 @@ def print_robot_name(rows: Rows, output: Output) -> None:
 
 def describe_matching(command: click.Command) -> click.Command:
     """Fill ``{matching}`` in the help of a command with the rule for matching endpoints."""
-    command.help = (command.help or "").replace("{matching}", _MATCHING)
+    command.help = (command.help or "").replace("{matching}", _MATCHING_RULE)
     return command
 
 
@@ -187,8 +187,8 @@ def comparison_fleet(fleet: str | None, robot: str | None, hosts: float | None) 
 
 
 file_options = (
-    click.option("--fleet", **options.A_FILE, help="Fleet file, the same as FLEET."),
-    click.argument("file", **options.A_FILE | {"metavar": "[FLEET]"}, required=False),
+    click.option("--fleet", **options.FILE_ARGS, help="Fleet file, the same as FLEET."),
+    click.argument("file", **options.FILE_ARGS | {"metavar": "[FLEET]"}, required=False),
 )
 robot_option = click.option(
     "--robot",
@@ -203,8 +203,8 @@ count_options = (
 )
 
 
-def _swarm_options(make: Callable[..., Any], metavar: str, told: str) -> Callable[[Any], Any]:
-    hosts = click.option("--hosts", callback=options.parse_number_list, metavar=metavar, help=told)
+def _swarm_options(make: Callable[..., Any], metavar: str, text: str) -> Callable[[Any], Any]:
+    hosts = click.option("--hosts", callback=options.parse_number_list, metavar=metavar, help=text)
     return options.option_group("members", make, hosts, *count_options, *file_options)
 
 
@@ -232,7 +232,7 @@ def print_error_bands(cases: Iterable[tuple[ds.Protocol, ds.Fleet]]) -> None:
                 f"{wording.count_noun(processes, 'process', 'es')} and "
                 f"{wording.count_noun(endpoints, 'endpoint')} per process. {error.sentence()}"
             ] = None
-    if 0 < len(sentences) <= _MAX_BANDS:
+    if 0 < len(sentences) <= _MAX_PRINTED_ERRORS:
         click.echo()
         for sentence in sentences:
             print_paragraph(sentence)

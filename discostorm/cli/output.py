@@ -182,7 +182,7 @@ def _width() -> int:
 
 def print_paragraph(text: str) -> None:
     """Print a paragraph that fits the terminal, and at most 79 characters."""
-    click.echo(visible(wording.wrapped(text, min(_width(), 79))))
+    click.echo(visible(wording.wrap(text, min(_width(), 79))))
 
 
 def print_note(text: str) -> None:

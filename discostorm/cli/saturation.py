@@ -78,7 +78,7 @@ def _varied_groups(
     ),
     *fleets.count_options,
     *fleets.file_options,
-    click.option("--beside", **options.A_FILE, help="Fleet file of other hosts on the channel."),
+    click.option("--beside", **options.FILE_ARGS, help="Fleet file of other hosts on the channel."),
 )
 @click.option(
     "--limit", type=float, default=1.0, show_default=True, help="Utilization to reach, 1 is 100%."
@@ -138,9 +138,9 @@ def saturation(
     if any(row["more_than"] is not None for row in rows):
         out.print_note('"More than": we captured too few hosts of this kind to say how many more.')
     if aggregates:
-        out.print_note(wording.AGGREGATES)
+        out.print_note(wording.AGGREGATION_NOTE)
     if fleets.is_all_wired(members):
-        out.print_note(wording.ALL_WIRED)
+        out.print_note(wording.ALL_WIRED_NOTE)
     fleets.print_error_bands(saturated)
 
 

@@ -69,7 +69,7 @@ def utilization(
     if output.for_people:
         fleets.print_channels(members[0].fleet, channels[0][-1], output)
         if aggregates:
-            out.print_note(wording.AGGREGATES)
+            out.print_note(wording.AGGREGATION_NOTE)
         if len(members) == 1:
             fleets.print_fleet_note(members[0].fleet)
         fleets.print_error_bands((protocol, fleet) for protocol, _, fleet, _, _ in cases)

@@ -9,7 +9,7 @@ import sympy as sp
 from discostorm import _checks, notation as nt
 from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
-from discostorm.fleet import SWARM, Count, Fleet
+from discostorm.fleet import PAPER_SWARM, Count, Fleet
 from discostorm.messages.schedule import ONCE, Schedule
 from discostorm.messages.units import Unit, WirelessEnd
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
@@ -46,7 +46,7 @@ class Payload:
 
     def __post_init__(self) -> None:
         source = _checks.shorten_name(str(self.source))
-        with _checks.errors_of(f"payload ({source})" if self.source else ""):
+        with _checks.prefix_errors(f"payload ({source})" if self.source else ""):
             most = _checks.MAX_BYTES
             low, high = (self.nominal if end is None else end for end in (self.low, self.high))
             low = _checks.number("nominal" if self.low is None else "low", low, 0, most)
@@ -124,7 +124,7 @@ class Message:
     def __post_init__(self) -> None:
         _checks.unwrap_0d_arrays(self)
         if not isinstance(self.payload, Payload):
-            with _checks.errors_of(f"payload of {_checks.shorten_name(str(self.name))}"):
+            with _checks.prefix_errors(f"payload of {_checks.shorten_name(str(self.name))}"):
                 object.__setattr__(self, "payload", Payload(self.payload))
         if not self.kind:
             object.__setattr__(self, "kind", self.name)
@@ -171,7 +171,7 @@ class Message:
             return self.payload.nominal
         return self.payload.nominal / self.frames + header_bytes()[self.transport]
 
-    def load(self, fleet: Fleet = SWARM) -> Count:
+    def load(self, fleet: Fleet = PAPER_SWARM) -> Count:
         """Return the number of messages of a fleet at each time of the schedule."""
         _checks.instance("fleet", fleet, Fleet)
         return self.per_unit * self.unit.count(fleet)

@@ -11,7 +11,7 @@ import sympy as sp
 
 from discostorm import _checks
 from discostorm._numeric import int_if_integral
-from discostorm.fleet import SWARM, Fleet
+from discostorm.fleet import PAPER_SWARM, Fleet
 from discostorm.messages.message import HEADER_SYMBOLS, Hop, Message, header_bytes
 from discostorm.messages.schedule import PAPER_WINDOW, Schedule, checked_window
 from discostorm.messages.units import Unit
@@ -191,7 +191,7 @@ class Protocol:
     def utilization(
         self,
         phase: str | None = None,
-        fleet: Fleet = SWARM,
+        fleet: Fleet = PAPER_SWARM,
         model: Model = "linear",
         window: sp.Expr | float = PAPER_WINDOW,
     ) -> sp.Expr:
@@ -222,7 +222,7 @@ class Protocol:
         return self._total(phase, fleet, model, methodcaller("mean", checked_window(window)))
 
     def burst(
-        self, phase: str | None = None, fleet: Fleet = SWARM, model: Model = "linear"
+        self, phase: str | None = None, fleet: Fleet = PAPER_SWARM, model: Model = "linear"
     ) -> sp.Expr:
         """Return the airtime [s] that startup needs beyond the steady state; see `utilization`."""
         return self._total(phase, fleet, model, lambda schedule: int_if_integral(schedule.extra))

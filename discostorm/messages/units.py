@@ -78,7 +78,7 @@ def _unmatched(group: HostGroup, matching: float) -> Count:
 
 
 #: What a process of the group at an index of a fleet has, by the names in `Hosts`.
-_OF_GROUP: dict[str, Callable[[Fleet, int], Count]] = {
+_PER_PROCESS: dict[str, Callable[[Fleet, int], Count]] = {
     "ones": lambda *_: 1,
     "endpoints_per_process": lambda fleet, index: fleet.groups[index].endpoints,
     "list_entries_per_process": lambda fleet, index: _list_entries(fleet.groups[index]),
@@ -228,7 +228,7 @@ class Unit:
                 "first host of a group": group.processes,
                 "first process": int(index == 0),
             }[process_set]
-            total = total + senders * receivers[index] * _OF_GROUP[quantity](fleet, index)
+            total = total + senders * receivers[index] * _PER_PROCESS[quantity](fleet, index)
         if self.factor is None:
             return total
         totals = FleetTotals(fleet.processes(), fleet.hosts(), fleet.matches())

@@ -289,7 +289,7 @@ AnyWifi: TypeAlias = Wifi | Radio | str
 def as_wifi(wifi: AnyWifi) -> Wifi:
     """Return a given channel, or the channel of a radio or a name: "paper", "802.11ac 80 MHz"."""
     if isinstance(wifi, str):
-        if _names.key(wifi) == "paper":
+        if _names.normalize(wifi) == "paper":
             return PAPER
         try:
             wifi = radio_named(wifi)

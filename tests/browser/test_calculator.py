@@ -410,7 +410,7 @@ def test_says_the_error_band_and_the_reboot_of_the_plan(
     own = again.group == fleet.names[0]
     who = "robot" if own else "laptop" if entries["beside"] == "laptop" else "other"
     (took,) = re.findall(rf"One {who} reboots: (.*) of airtime\.", said)
-    plans = wording.durations(again.low, again.high)
+    plans = wording.time_range(again.low, again.high)
     assert took.split()[-1] == plans.split()[-1]  # the page rounds to two digits
     numbers = [[float(n) for n in re.findall(r"[\d.]+", text)] for text in (took, plans)]
     assert numbers[0] == pytest.approx(numbers[1], rel=0.1)
@@ -863,7 +863,7 @@ def advice(tab: Page) -> list[str]:
 
 def advised(plan: ds.Plan) -> list[str]:
     """Return the advice of a plan, as far as the page has it in the same place."""
-    blocks = answer_text._change_blocks(plan, answer_text.MAX_SHOWN_CHANGES, every=False)
+    blocks = answer_text._change_blocks(plan, answer_text.MAX_SHOWN_CHANGES, all_changes=False)
     lines = [in_page_words(line.partition(". Effort: ")[0]) for block in blocks for line in block]
     may_help = answer_text.SENTENCES["possible"].partition("{")[0]
     return [line for line in lines if not line.startswith(may_help)]

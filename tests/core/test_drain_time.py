@@ -356,7 +356,7 @@ def test_errors_name_parameter_value_and_range(
     ("steady", "time"), [(0, 2), (sp.S.Half, 4), (1, sp.oo), (sp.Rational(3, 2), sp.oo)]
 )
 def test_drain_time_in_symbols(steady: sp.Expr, time: sp.Expr) -> None:
-    assert drain_times.DRAIN.subs({drain_times.BURST: 2, drain_times.STEADY: steady}) == time
+    assert drain_times.DRAIN_TIME.subs({drain_times.BURST: 2, drain_times.STEADY: steady}) == time
 
 
 def test_traffic_that_just_fills_the_channel_is_never_drained() -> None:

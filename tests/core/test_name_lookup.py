@@ -215,11 +215,11 @@ def test_a_release_that_a_distribution_does_not_ship_is_refused(
 
 def test_no_name_means_two_products() -> None:
     names = [*ds.PROTOCOLS, *aliases()]
-    assert len({_names.key(name) for name in names}) == len(names)
-    assert not {_names.key(name) for name in names} & PROTOCOL_SETS.keys()
+    assert len({_names.normalize(name) for name in names}) == len(names)
+    assert not {_names.normalize(name) for name in names} & PROTOCOL_SETS.keys()
     assert set(aliases().values()) <= set(ds.PROTOCOLS)
     others = [*robots.robots(), *robots.aliases()]
-    assert len({_names.key(name) for name in others}) == len(others)
+    assert len({_names.normalize(name) for name in others}) == len(others)
 
 
 @pytest.mark.parametrize(

@@ -172,9 +172,9 @@ def test_units_by_hand() -> None:
     assert UNITS["matched writer and process on another host"].count(SWARM) == 0
     assert UNITS["unmatched endpoint"].count(SWARM) == 60
     assert UNITS["unmatched endpoint and other host"].count(SWARM) == 60 * 2
-    symbols = dict(zip(ds.fleet.SWARM.counts(), (3, 2, 10), strict=True))
+    symbols = dict(zip(ds.fleet.PAPER_SWARM.counts(), (3, 2, 10), strict=True))
     for name, unit in UNITS.items():
-        symbolic = unit.count(ds.Fleet(ds.fleet.SWARM.groups, matching=1))
+        symbolic = unit.count(ds.Fleet(ds.fleet.PAPER_SWARM.groups, matching=1))
         assert float(sp.sympify(symbolic).subs(symbols)) == by_hand[name]
 
 

@@ -12,8 +12,8 @@ from discostorm.protocols import PROTOCOLS
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Radio
 
-#: Minimum number of runs of a setting before its number of robots may be given as a range.
-MOST_RUNS = 400
+#: Maximum number of runs of a setting; if they do not decide how many robots fit, it has a range.
+MAX_RUNS = 400
 #: Frames of an A-MPDU.
 MPDUS = 64
 _ROBOT = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS

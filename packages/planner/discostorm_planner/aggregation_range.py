@@ -16,7 +16,7 @@ from discostorm.drain_times import burst_drain_time
 from discostorm.files import json_ready
 
 #: Whether a load fits on the channel; see `AggregationRange.verdict`.
-Verdict = Literal["fits", "may fit", "does not fit"]
+ChannelFit = Literal["fits", "may fit", "does not fit"]
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class AggregationRange:
         return min(self.full, self.single), max(self.full, self.single)
 
     @property
-    def verdict(self) -> Verdict:
+    def verdict(self) -> ChannelFit:
         """Whether this share of a channel fits: at both ends, at the better one, or at neither."""
         low, high = self.bounds
         if wording.below_capacity(high):

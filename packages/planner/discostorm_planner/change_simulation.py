@@ -34,10 +34,10 @@ MAX_TARGET_S, MAX_COST_S = 600.0, 30.0
 #: Maximum numbers of single changes and of combinations that are simulated.
 MAX_CHANGES, MAX_COMBINATIONS = 9, 3
 #: Kinds of changes that are simulated even if they save no airtime.
-SIMULATED_ANYWAY = ("staggered start", "discovery server")
+ALWAYS_SIMULATED = ("staggered start", "discovery server")
 #: Efforts that need another middleware on every robot, and those that need any other software.
-OTHER_MIDDLEWARE = frozenset({"upgrade", "switch", "research"})
-OTHER_SOFTWARE = OTHER_MIDDLEWARE | {"build"}
+MIDDLEWARE_EFFORTS = frozenset({"upgrade", "switch", "research"})
+SOFTWARE_EFFORTS = MIDDLEWARE_EFFORTS | {"build"}
 #: Maximum share of lost frames at which a time without repairs is still a useful bound [1].
 MAX_BOUND_LOSS = 0.5
 #: Share of lost frames from which a product's caution matters, as repairs decide the time [1].
@@ -79,7 +79,7 @@ class SimulatedChange:
         """Return the sort key: sufficient changes first, those with the least effort on top."""
         assert self.time is not None
         level = math.isinf(self.time.median) - self.suffices(within) - self.time.works(within)
-        other = not OTHER_SOFTWARE.isdisjoint(self.remedy.efforts)
+        other = not SOFTWARE_EFFORTS.isdisjoint(self.remedy.efforts)
         ranks = (level, other, self.remedy.effort_rank, self.time.rank)
         return not self.remedy.all_discover, *ranks
 
@@ -176,7 +176,7 @@ class DiscoveryResult:
     @property
     def needs_no_other_software(self) -> bool:
         """Whether the fleet works, unchanged or after a change that needs no other software."""
-        easy = (OTHER_SOFTWARE.isdisjoint(c.remedy.efforts) for c in self.sufficient)
+        easy = (SOFTWARE_EFFORTS.isdisjoint(c.remedy.efforts) for c in self.sufficient)
         return self.works or any(easy)
 
     @property
@@ -224,7 +224,7 @@ def simulate_changes(
     ``interruptible``, an interrupt ends the simulation with the results so far.
     """
     job = prepare_job(setting, max(within, TARGET_S))
-    singles = [_prepare_change(setting, r, remedies, within) for r in _selected(remedies)]
+    singles = [_prepare_change(setting, r, remedies, within) for r in _pick_remedies(remedies)]
     changes: list[SimulatedChange] = []
     rounded = simulated_fleet(setting.fleet)[1]
     answer = DiscoveryResult(within, None, job if isinstance(job, str) else "", rounded=rounded)
@@ -233,14 +233,14 @@ def simulate_changes(
         if isinstance(job, Job):
             work.add(0.0)
             ((_, today),) = simulate_jobs([job], work)
-            answer = _with_today(answer, setting.protocol, today)
+            answer = _add_unchanged_time(answer, setting.protocol, today)
         changes.extend(_simulate_prepared(singles, work))  # an interrupt leaves those that are done
         answer = replace(answer, changes=tuple(changes))
-        kept = [r for r in staggered if OTHER_MIDDLEWARE.isdisjoint(r.efforts)]
+        kept = [r for r in staggered if MIDDLEWARE_EFFORTS.isdisjoint(r.efforts)]
         others = [r for r in staggered if r not in kept]
         best = {r.steps: r for r in reversed(combinations) if "research" not in r.efforts}
         first = [r for r in combinations if r is best.get(r.steps)][:MAX_COMBINATIONS]
-        for joined in (_closest(changes, kept), _closest(changes, others), first):
+        for joined in (_pick_closest(changes, kept), _pick_closest(changes, others), first):
             if not (answer.surely_works or answer.sufficient):
                 jobs = [_prepare_change(setting, r, joined, within) for r in joined]
                 changes.extend(_simulate_prepared(jobs, work))
@@ -273,7 +273,7 @@ def simulate_unchanged(
         work.add(0.0)
         for place, time in _simulate_affordable(jobs, work):
             known = replace(found[place], reason="", complete=True)
-            found[place] = _with_today(known, settings[place].protocol, time)
+            found[place] = _add_unchanged_time(known, settings[place].protocol, time)
     return found
 
 
@@ -297,7 +297,7 @@ def simulate_late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime 
     return replace(found, times=tuple(time - begin for time in found.times))
 
 
-def _with_today(
+def _add_unchanged_time(
     answer: DiscoveryResult, protocol: Protocol, today: DiscoveryTime | str
 ) -> DiscoveryResult:
     """Add the discovery time of the unchanged fleet, with a caution if many messages are lost."""
@@ -322,11 +322,11 @@ def remedy_start_window(remedy: Remedy, within: float) -> float:
     return float(max(1, math.ceil(min(remedy.start_window, within / 2))))
 
 
-def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
+def _pick_remedies(remedies: Sequence[Remedy]) -> list[Remedy]:
     """Return the best remedies of each kind and product, at most `MAX_CHANGES` and all splits."""
     first: dict[str | None, Remedy] = {}
     for remedy in remedies:
-        helps = remedy.saved >= remedy_rules.MIN_SAVING or remedy.kind in SIMULATED_ANYWAY
+        helps = remedy.saved >= remedy_rules.MIN_SAVING or remedy.kind in ALWAYS_SIMULATED
         if helps and "research" not in remedy.efforts:
             product = remedy_rules.product_of(remedy.protocol)
             first.setdefault(product if "middleware" in remedy.steps else remedy.kind, remedy)
@@ -335,7 +335,7 @@ def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
     return whole[:MAX_CHANGES] + [r for r in first.values() if not r.all_discover]
 
 
-def _closest(changes: Sequence[SimulatedChange], staggered: Sequence[Remedy]) -> list[Remedy]:
+def _pick_closest(changes: Sequence[SimulatedChange], staggered: Sequence[Remedy]) -> list[Remedy]:
     """Return those changes with a staggered start whose change alone comes closest in its runs."""
     ranks = {(c.remedy.steps, c.remedy.protocol): c.time.rank for c in changes if c.time}
     known = [r for r in staggered if (r.steps[:-1], r.protocol) in ranks]
@@ -411,7 +411,7 @@ def _max_hosts_in_time(
         1 if len(fleet.groups) == 1 else 0,  # no host discovers itself
         int(largest.hosts),
         job,
-        lambda time: _with_today(answer, setting.protocol, time).surely_works,
+        lambda time: _add_unchanged_time(answer, setting.protocol, time).surely_works,
         work,
     )
     return found and (largest.name, *found)

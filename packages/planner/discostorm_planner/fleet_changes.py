@@ -114,7 +114,7 @@ def group_suffix(group: HostGroup) -> str:
     return f" of {group.name}" if group.name else ""
 
 
-def hosts_words(count: float, name: str) -> str:
+def hosts_in_words(count: float, name: str) -> str:
     """Return a number of hosts of a group, in the plural if its name surely is a singular."""
     plurals = {row["robot"]: row["plural"] for row in read_data("fleets/robots.csv")}
     many = plurals.get(name, name + "s" * bool(_TAKES_S.search(name)))

@@ -184,7 +184,7 @@ def session_setup_note(
     so = "more than the sessions need"
     if gap + double >= 0:
         so = "and the sessions add to that" if gap >= 0 else "so either may need less"
-    *adds, apart = (wording.airtime(value, window) for value in (single, double, abs(gap)))
+    *adds, apart = (wording.airtime_text(value, window) for value in (single, double, abs(gap)))
     return (
         f"the paper does not count how Zenoh opens sessions: that adds {adds[0]} if one side "
         f"dials, {adds[1]} if both do. Both protocols differ by {apart}, {so}"

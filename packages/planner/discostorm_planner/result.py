@@ -18,7 +18,7 @@ from discostorm.prediction_error import ErrorBand
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner import answer_text, explanation_text
-from discostorm_planner.aggregation_range import AggregationRange, Verdict
+from discostorm_planner.aggregation_range import AggregationRange, ChannelFit
 from discostorm_planner.change_simulation import (
     DiscoveryResult,
     paste_name,
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 #: Maximum number of changes in an explanation by airtime, and keys of discovery times in tables.
-_BEST = 3
+_MAX_EXPLAINED = 3
 TIME_KEYS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
 
 
@@ -175,7 +175,7 @@ class Plan:
         return self.steady_range.single
 
     @property
-    def verdict(self) -> Verdict:
+    def verdict(self) -> ChannelFit:
         """Whether the fleet fits: with one frame per exchange, only with full A-MPDUs, or never."""
         return self.utilization_range.verdict
 
@@ -256,7 +256,7 @@ class Plan:
         for remedy in self.remedies:
             if remedy.saved >= MIN_SAVING and remedy.all_discover:
                 of_kind.setdefault(remedy.kind, remedy)
-        airtime = [r for r in of_kind.values() if "research" not in r.efforts][:_BEST]
+        airtime = [r for r in of_kind.values() if "research" not in r.efforts][:_MAX_EXPLAINED]
         parts = [c.remedy for c in found.changes if c.time and not c.remedy.all_discover]
         sections = {
             "Changes, in the order of the answer:": [change.remedy for change in found.helpful],
@@ -295,13 +295,13 @@ class Plan:
             f"got {_checks.shorten_name(name)!r}{like}"
         )
 
-    def advice(self, width: int = 79, *, every: bool = False) -> str:
+    def advice(self, width: int = 79, *, all_changes: bool = False) -> str:
         """Say whether the startup works and what to do first, in lines of that width.
 
-        With ``every``, name all changes that were tried.
+        With ``all_changes``, name all changes that were tried.
         """
         _checks.integer("width", width, 1)
-        return answer_text.format_answer(self, int(width), every=every)
+        return answer_text.format_answer(self, int(width), all_changes=all_changes)
 
     def why(self, width: int = 79) -> str:
         """Explain drain time, airtime and its parts, changes, configurations and assumptions."""
@@ -315,7 +315,7 @@ class Plan:
 def _short_key(name: str) -> str:
     """Return what spellings of a change's name share: no article, plural, window or number."""
     name = re.sub(r"(?i), at random within .*| or fewer\b|^(an?|another|the) ", "", name.strip())
-    return _names.key(re.sub(r"(processes\b.* into) \d+", r"\1 1", name)).removesuffix("s")
+    return _names.normalize(re.sub(r"(processes\b.* into) \d+", r"\1 1", name)).removesuffix("s")
 
 
 def simulate_protocols(plans: Sequence[Plan], progress: Progress | None = None) -> None:

@@ -67,7 +67,7 @@ class Runs:
             return f"Your robots do not all know each other {self.not_within[4:]} ({runs})."
         late = len(known) - len(in_time)
         missing = f", in {late} of them {self.not_within}" if late else ""
-        taken = wording.durations(in_time[0], in_time[-1])
+        taken = wording.time_range(in_time[0], in_time[-1])
         return f"Your robots know each other after {taken} ({runs}{missing})."
 
 
@@ -76,7 +76,7 @@ def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds
     channels = [(seen, own) for _, seen, own in fleets.channels_by_cell(fleet, wifi)]
     taken = max(float(drain_times.drain_time(protocol, seen, wifi=own)) for seen, own in channels)
     busy = f"for {wording.duration(taken)}" if taken < float("inf") else "indefinitely"
-    lost = wording.percents(found.lost.min(), found.lost.max())
+    lost = wording.percent_range(found.lost.min(), found.lost.max())
     return (
         f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then some "
         f"robots do not see each other. Here {lost} of the frames are lost, and stay lost. "
@@ -189,7 +189,7 @@ def simulate(
         said = how.answer(one) if modeled else describe_drain(protocols[0], fleet, wifi, one)
         if name in alone and not modeled:
             said += compare_drain_times(one, alone[name])
-        click.echo(out.visible(wording.wrapped(said)) + "\n")
+        click.echo(out.visible(wording.wrap(said)) + "\n")
     shown = ("run", "drain_time_s", "lost", "convergence_time_s", WITHOUT_DATA, "collisions")
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():

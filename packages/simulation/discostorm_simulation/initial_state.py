@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from discostorm_simulation.run import Setup
 
 #: Value of `CellState.power` if all stations receive each other equally well.
-ALIKE = np.zeros((1, 1))
+EQUAL_POWERS = np.zeros((1, 1))
 #: Number of records: queue samples, logged transmissions, and initial pool of waiting frames.
 QUEUE_SAMPLES, LOG_ROWS, POOL_ENTRIES = 512, 4096, 4096
 

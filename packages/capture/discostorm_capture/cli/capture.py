@@ -14,8 +14,8 @@ import click
 import discostorm as ds
 from discostorm import _checks, wording
 from discostorm.cli import fleet_options, output as cli_output
-from discostorm.cli.calculator_link import Link, calculator_link
-from discostorm.cli.options import A_FILE, output_options, protocol_option_of
+from discostorm.cli.calculator_link import CalculatorLink, calculator_link
+from discostorm.cli.options import FILE_ARGS, output_options, protocol_option_of
 from discostorm.fleet import COUNTS
 from discostorm_capture._types import DataFrame
 from discostorm_capture.cli import diagnosis_output
@@ -36,16 +36,16 @@ def _check_picture_suffix(_: click.Context, _of: click.Parameter, value: str | N
 
 
 @click.command(help=diagnosis_output.read_command_help("capture"))
-@click.argument("file", **A_FILE)
+@click.argument("file", **FILE_ARGS)
 @protocol_option_of("--against", None, "Model to compare the capture with, instead of the paper's")
-@click.option("--fleet", **A_FILE, help=OPTIONS["fleet"])
+@click.option("--fleet", **FILE_ARGS, help=OPTIONS["fleet"])
 @fleet_options.robot_option
 @click.option("--hosts", type=float, metavar="N", help=OPTIONS["hosts"])
 @diagnosis_output.expect_option
 @click.option("--wired", metavar="ADDRESS", multiple=True, help=OPTIONS["wired"])
 @click.option("--window", type=float, metavar="S", help=OPTIONS["window"])
-@click.option("--write-fleet", "written", **A_FILE, help=OPTIONS["write-fleet"])
-@click.option("--picture", **A_FILE, callback=_check_picture_suffix, help=OPTIONS["picture"])
+@click.option("--write-fleet", "written", **FILE_ARGS, help=OPTIONS["write-fleet"])
+@click.option("--picture", **FILE_ARGS, callback=_check_picture_suffix, help=OPTIONS["picture"])
 @output_options
 def capture(
     file: str,
@@ -203,7 +203,7 @@ def _print_traffic_totals(captured: Capture, sums: DataFrame, seconds: dict[str,
         click.echo(f"Compared with {name} over {time:.1f} s, from its first captured message on.")
 
 
-def _print_next_command(written: str, link: Link | None) -> None:
+def _print_next_command(written: str, link: CalculatorLink | None) -> None:
     """Print the next command for the written fleet file, and the link of the calculator."""
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:

@@ -186,7 +186,7 @@ class Diagnosis:
         if reported:
             sentences += [to_sentence(reported[0].evidence), to_sentence(reported[0].advice)]
         elif self.complete is None:
-            sentences.append(say("record", wording.RECORD.format(file="discovery.pcap")))
+            sentences.append(say("record", wording.TCPDUMP.format(file="discovery.pcap")))
         return " ".join(filter(None, sentences))
 
     def _describe_state(self) -> str:

@@ -80,7 +80,7 @@ class Finding:
         """What to do about it, as text."""
         advice = remedies()[self.remedy]["what"] if self.remedy else ""
         advice = advice.replace("HOSTS", listing(self.hosts) or "all hosts")
-        return advice.replace("RECORD", wording.RECORD.format(file="discovery.pcap"))
+        return advice.replace("RECORD", wording.TCPDUMP.format(file="discovery.pcap"))
 
     def to_dict(self) -> dict[str, Any]:
         """Return all fields as JSON can hold them."""

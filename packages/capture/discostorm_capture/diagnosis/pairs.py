@@ -15,7 +15,7 @@ CLIENT_KINDS = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
 #: Added to the domain for each domain tag, because tags separate scopes; larger than any domain.
 TAG_OFFSET = 1000
 #: Sending and answering process, rows of a writer's samples, and rows of the answers.
-Answered = tuple[int, int, Array, Array]
+Exchange = tuple[int, int, Array, Array]
 
 
 @dataclass(frozen=True)
@@ -260,7 +260,7 @@ def _observable_pairs(obs: Observations, members: tuple[int, ...]) -> Iterator[t
             yield pair
 
 
-def answered_samples(obs: Observations) -> Iterator[Answered]:
+def answered_samples(obs: Observations) -> Iterator[Exchange]:
     """Yield the samples and answers of each writer and each process that answers it."""
     sender, receiver = obs.sender_index, obs.receiver_index
     sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.seq > 0) & (sender >= 0)
@@ -272,7 +272,7 @@ def answered_samples(obs: Observations) -> Iterator[Answered]:
         yield subject, observer, rows[np.isin(receiver[rows], (observer, -1))], asks
 
 
-def min_answer_times(obs: Observations, asked: Iterable[Answered]) -> dict[tuple[str, ...], float]:
+def min_answer_times(obs: Observations, asked: Iterable[Exchange]) -> dict[tuple[str, ...], float]:
     """Return the shortest time to an answer, by host of the writer and of the reader [s]."""
     least: dict[tuple[str, ...], float] = {}
     tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.seq > 0)

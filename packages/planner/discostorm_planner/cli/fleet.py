@@ -10,7 +10,7 @@ import click
 import discostorm as ds
 from discostorm import _checks, wording
 from discostorm.cli.fleet_options import display_name, standard_input
-from discostorm.cli.options import A_FILE, output_options
+from discostorm.cli.options import FILE_ARGS, output_options
 from discostorm.cli.output import BadInput, Output, bad_input, print_table, to_json, visible
 from discostorm_planner import ros2_output
 
@@ -19,7 +19,7 @@ from discostorm_planner import ros2_output
 @click.option(
     "--from",
     "file",
-    **A_FILE,
+    **FILE_ARGS,
     required=True,
     help="File with the output of ROS 2 commands, or - for standard input.",
 )
@@ -76,7 +76,7 @@ def _read_input(file: str) -> str:
 
 
 def _fleet_file_text(members: ds.Fleet, notes: list[str]) -> str:
-    lines = [f"# {line}" for note in notes for line in wording.wrapped(f"{note}.", 77).splitlines()]
+    lines = [f"# {line}" for note in notes for line in wording.wrap(f"{note}.", 77).splitlines()]
     for group in members.groups:
         lines += ["", "[[groups]]", f"name = {json.dumps(group.name)}"]
         for key in ("hosts", "processes", "endpoints", "nodes"):

@@ -76,7 +76,7 @@ _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encod
     help="Target discovery time: a startup works if nine of ten simulated runs meet it.  "
     f"[default: that of the file, else {TARGET_S:g}]",
 )
-@click.option("--all", "every", is_flag=True, help="Name all changes that were tried.")
+@click.option("--all", "all_changes", is_flag=True, help="Name all changes that were tried.")
 @click.option(
     "--why",
     is_flag=True,
@@ -103,7 +103,7 @@ def plan(
     nodes: Any,
     shared: float | None,
     within: float | None,
-    every: bool,
+    all_changes: bool,
     why: bool,
     paste: str | None,
     folder: str | None,
@@ -149,7 +149,7 @@ def plan(
     else:
         width = min(max(shutil.get_terminal_size().columns, 40), 79)
         _simulate_plan(plans[0])
-        click.echo(visible(plans[0].advice(width, every=every)))
+        click.echo(visible(plans[0].advice(width, all_changes=all_changes)))
         if why:
             click.echo("\n" + visible(plans[0].why(width)))
 
@@ -189,7 +189,7 @@ def _simulate_plan(answer: ds.Plan) -> None:
     low = answer.startup.bounds[0]
     busy = "Periodic traffic alone fills the channel."
     if math.isfinite(low):
-        least = wording.durations(low, low)
+        least = wording.time_range(low, low)
         busy = f"If nothing is lost, startup keeps the channel busy for at least {least}."
     with _progress_bar(f"{busy} Simulating it and its changes.") as show:
         answer.simulate(show, interruptible=True)
@@ -198,7 +198,7 @@ def _simulate_plan(answer: ds.Plan) -> None:
 def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
     """Print the discovery time with each protocol, the shortest first."""
     if (plans[0].all_wired or plans[0].fleet.hosts() == 1) and output.for_people:
-        print_paragraph(wording.ALL_WIRED if plans[0].all_wired else wording.ALONE)
+        print_paragraph(wording.ALL_WIRED_NOTE if plans[0].all_wired else wording.LONE_HOST_NOTE)
         return
     with _progress_bar(f"Simulating the startup with {len(plans)} protocols.") as show:
         simulate_protocols(plans, show)
@@ -225,7 +225,7 @@ def _comparison_row(plan: ds.Plan) -> dict[str, Any]:
 
 def _find_configured(answer: ds.Plan, name: str) -> Remedy:
     """Return the change with this name; raise a ValueError if it cannot be configured."""
-    with _checks.errors_of("--paste"):
+    with _checks.prefix_errors("--paste"):
         remedy = answer.find_change(name)
         if not remedy.snippets:
             raise ValueError(f"{remedy.what} cannot be configured; choose another change")
@@ -245,7 +245,7 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
             raise ValueError(answer_text.fill("nothing written"))
     remedy = _find_configured(answer, name)
     files = texts_by_path(answer.fleet, remedy, answer.within)
-    with _checks.errors_of("--write"):
+    with _checks.prefix_errors("--write"):
         write_folder(Path(folder), files, replace=force)
     begin = f"{len(files)} files. Begin with {Path(folder) / 'README.md'}"
     click.echo(visible(f"{wording.capitalized(remedy.what)}: {begin}"))
