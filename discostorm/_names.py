@@ -8,7 +8,7 @@ Item = TypeVar("Item")
 
 
 def normalize(name: str) -> str:
-    """Return the letters and digits of a name in lower case, which every spelling shares."""
+    """Return a name's letters and digits in lower case, the same for each spelling."""
     return "".join(filter(str.isalnum, name.casefold()))
 
 
@@ -30,7 +30,7 @@ def did_you_mean(name: str, valid: Iterable[str]) -> str:
 def check_keys(
     table: Any, valid: Iterable[str], needed: str, places: Mapping[str, str] | None = None
 ) -> None:
-    """Raise a ValueError for a key that is not valid, with the nearest key or the key's place."""
+    """Raise a ValueError for an invalid key; name the nearest key, or where the key belongs."""
     from discostorm import _checks  # here, as it loads NumPy
 
     if not isinstance(table, dict):

@@ -68,7 +68,7 @@ def _band_and_channels(cell: Cell) -> tuple[float, float, float]:
     for row in read_data("wifi/channel_numbers.csv"):
         ghz, first, last, step, fixed = (float(row[name]) for name in [*row][:5])
         if (ghz == 6) == (band == 6e9) and first <= number <= last:
-            if not fixed:  # 40 MHz have four more numbers below or above, wherever there are any
+            if not fixed:  # a 40 MHz channel extends upwards or downwards
                 more = (step - 1) * (width / 20e6 - 1)
                 below, above = number - more >= first, number + more <= last
                 return ghz, number - more * below, number + more * above + step - 1

@@ -104,7 +104,7 @@ def demand(
 
 
 def _airtime_per_send(protocol: Protocol, *swarm: Any) -> dict[Schedule, Value]:
-    """Return by schedule the airtime of all its messages at one send time [s]."""
+    """Return, for each schedule, the airtime of all its messages at one send time [s]."""
     together: dict[Schedule, tuple[Message, ...]] = {}
     for message in protocol.messages:
         once = replace(message, schedule=ONCE, answers=None)
@@ -127,8 +127,8 @@ def first_idle(
         return np.inf
     protocol = as_protocol(protocol)
     rounds = _airtime_per_send(protocol, hosts, processes, endpoints, wifi)
-    # After the last start, traffic is at most one round below the line B + rho t that bounds it, so
-    # the channel is not idle before a line that is one round lower meets t.
+    # After the last start time, the demand is at least B + rho t minus the messages of one round.
+    # The channel cannot go idle before this lower bound meets t.
     last = max(schedule.starts[-1] for schedule in rounds)
     round_s = sum(float(each) for schedule, each in rounds.items() if schedule.period < np.inf)
     steady = sum(float(each) * schedule.per_second for schedule, each in rounds.items())
@@ -160,7 +160,7 @@ def _send_times(schedules: Iterable[Schedule], since: float, until: float) -> ND
 def _first_idle_before(
     times: NDArray[np.float64], end: float, protocol: Protocol, *swarm: Any
 ) -> float:
-    """Return the first of these times at which the channel catches up before the next [s]."""
+    """Return the first of these times after which the channel goes idle before the next one [s]."""
     carried = np.asarray(demand(protocol, times, *swarm))
     gaps = carried[carried <= np.append(times[1:], end)]
     return float(gaps[0]) if gaps.size else np.inf

@@ -194,7 +194,7 @@ class Fleet:
 
     def _count_remote(self, counted: list[bool]) -> list[Count]:
         """Count remote processes in ``counted`` groups, as seen from a process of each group."""
-        # Sums of the groups before and after, as a difference from the total would cancel.
+        # Add the other groups; to subtract a group from the total would lose digits.
         of = [n if yes else 0 for n, yes in zip(self.processes_per_group, counted, strict=True)]
         before = list(accumulate(of[:-1], initial=0))
         after = list(accumulate(of[:0:-1], initial=0))[::-1]

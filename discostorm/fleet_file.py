@@ -85,7 +85,7 @@ def check_tables(tables: dict[str, Any]) -> None:
 
 
 def _is_address(address: Any) -> bool:
-    """Return whether it is an IP address, or a host name that does not look like one."""
+    """Return whether a text is an IP address, or a host name that does not resemble one."""
     with suppress(ValueError):
         return bool(ipaddress.ip_address(str(address)))
     name = r"(?=.*[^\d.])(?!-)[\w-]+(\.[\w-]+)*"

@@ -16,7 +16,7 @@ from discostorm.wifi.radio import AnyWifi as AnyWifi, as_wifi as as_wifi
 
 #: A protocol, or its name such as "fastdds".
 AnyProtocol: TypeAlias = Protocol | str
-#: Units of messages that a server forwards on a match; the same if it forwards everything.
+#: Units of messages that a server forwards on a match, with those if it forwards everything.
 _FORWARDED = {
     UNITS["ordered pair of matched processes"]: UNITS["ordered pair of processes"],
     UNITS["matched endpoint and other process"]: UNITS["endpoint and other process"],

@@ -17,7 +17,7 @@ Window = Literal["startup", "steady"]
 #: and beyond. Beyond the first class, answers do not give a number of hosts.
 SIZE_CLASSES = (1.0, 2.0, np.inf)
 
-#: How a sentence about a band ends for a fleet that is larger than any that was measured.
+#: End of the sentence about an error, for a fleet that is larger than any measured one.
 BEYOND_CLAUSE = "; this fleet is larger, so expect a factor of 2, as far as we know"
 
 #: Fewest swarms whose minimum and maximum make an interval.
@@ -42,7 +42,7 @@ def max_covered_hosts(captured: tuple[int, ...], processes: float) -> int:
 
 
 def points_outside_interval(points: int) -> int:
-    """Return how many of these swarms lie beyond each end of an interval around 90% of them."""
+    """Return how many of the swarms lie beyond each end of an interval that holds 90% of them."""
     return max(0, (points + 1) // 20 - 1)
 
 
@@ -99,7 +99,7 @@ def error_band(
     if not bands:
         return None
     hosts, endpoints = relative_fleet_size(fleet, captured)
-    # No point had more than twice the hosts: beyond that, those with twice are the nearest.
+    # We measured up to twice the hosts, so these points are the nearest to larger fleets.
     needed = max(min(hosts, SIZE_CLASSES[1]), endpoints)
     nearest = next((each for each in bands if each.up_to >= needed), bands[-1])
     beyond = hosts > nearest.most_hosts or endpoints > nearest.most_endpoints

@@ -174,7 +174,7 @@ def saturation(
     protocol = as_protocol(protocol)
     others = (symbolic_group(index) for index in range(1, other_groups + 1))
     fleet = Fleet((*PAPER_SWARM.groups, *others))
-    # Solved with one symbol for the cost of each unit, which has many terms.
+    # Solve with one symbol for the cost of each unit, because costs have many terms.
     costs = protocol.costs(None, model, window)
     symbols = {sp.Dummy(positive=True): unit for unit, cost in costs.items() if cost != 0}
     total = sp.Add(*(symbol * unit.count(fleet) for symbol, unit in symbols.items()))

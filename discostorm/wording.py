@@ -38,7 +38,7 @@ def percent(share: float, decimals: int = 0, below_prefix: str = "just below ") 
 
 
 def format_load(utilization: float, to: str, capacity: str) -> str:
-    """Return a load in percent, or a load of ten capacities and more as a multiple."""
+    """Return a load in percent, from ten times the capacity on as a multiple."""
     if utilization < 10:
         return f"{percent(utilization)} {to}"
     times = f"{utilization:.3g}" if utilization >= HUGE else f"{float(f'{utilization:.3g}'):,g}"
@@ -93,7 +93,7 @@ def time_range(low: float, high: float, never: str = "indefinitely") -> str:
 
 
 def _duration_up_to_a_year(time: float) -> str:
-    """Return a time, whose digits matter only below a year."""
+    """Return a time with its unit, from a year on as "more than a year"."""
     return duration(time) if time < TIME_UNITS[-1][1] else "more than a year"
 
 
@@ -103,7 +103,7 @@ def percent_range(low: float, high: float) -> str:
 
 
 def airtime_text(utilization: float, window: float) -> str:
-    """Return the airtime of a window with its unit; of an infinite one as a share of the time."""
+    """Return the airtime in a window with its unit; for an infinite window the share of time."""
     if math.isinf(window):
         return percent(utilization) + " of the time"
     return _duration_up_to_a_year(utilization * window)

@@ -22,7 +22,7 @@ class CalculatorLink:
 
 
 def calculator_link(fleet: ds.Fleet, middleware: str | None = None) -> CalculatorLink | None:
-    """Return the link of a fleet, with its largest group as robots; None if all are wired."""
+    """Return the link for a fleet, with its largest group as the robots; None if all are wired."""
     notes = []
     if wired := sum(group.hosts for group in fleet.groups if group.wired):
         left = "1 is left out" if wired == 1 else f"{wired:g} are left out"

@@ -41,7 +41,7 @@ class FleetInput:
 
 
 def channels_by_cell(fleet: ds.Fleet, wifi: Wifi) -> list[tuple[dict[str, str], ds.Fleet, Wifi]]:
-    """Return columns, fleet and channel: once, or for each cell with a column for its name."""
+    """Return extra columns, fleet and channel: once without cells, else for each cell."""
     cells = fleet.by_cell().items()
     seen = [({"cell": cell.name}, of_cell, as_wifi(cell.wifi)) for cell, of_cell in cells]
     return seen or [({}, fleet, wifi)]
@@ -73,7 +73,7 @@ def print_fleet_note(fleet: ds.Fleet) -> None:
 
 
 def print_robot_name(rows: Rows, output: Output) -> None:
-    """Name a ready-made robot once above a table for people."""
+    """Print the name of a ready-made robot above a table for people."""
     if output.for_people and "robot" in rows[0]:
         click.echo(f"Robot: {rows[0]['robot']}\n")
 
@@ -124,7 +124,7 @@ def ros2_swarm(hosts: Any, processes: Any, endpoints: Any) -> ds.Fleet:
 def fleet_source(
     fleet: str | None, file: str | None, robot: str | None, counts: Mapping[str, Any]
 ) -> str | None:
-    """Return the fleet file, or None for a robot or counts, which are needed without a file.
+    """Return the fleet file; None if a robot or counts are given instead of a file.
 
     Raise a UsageError if a fleet is given in no way, or in more than one.
     """
@@ -177,7 +177,7 @@ def _fleet_input(**given: Any) -> FleetInput:
 
 
 def comparison_fleet(fleet: str | None, robot: str | None, hosts: float | None) -> ds.Fleet | None:
-    """Return the fleet to compare with: of a file, or of ready-made robots; None for neither."""
+    """Return the fleet to compare with, from a file or of ready-made robots; None without both."""
     if fleet is None and robot is None:
         if hosts is not None:
             raise click.UsageError("--hosts needs --robot")
@@ -203,14 +203,14 @@ count_options = (
 )
 
 
-def _swarm_options(make: Callable[..., Any], metavar: str, text: str) -> Callable[[Any], Any]:
+def _swarm_options(name: str, make: Any, metavar: str, text: str) -> Callable[[Any], Any]:
     hosts = click.option("--hosts", callback=options.parse_number_list, metavar=metavar, help=text)
-    return options.option_group("members", make, hosts, *count_options, *file_options)
+    return options.option_group(name, make, hosts, *count_options, *file_options)
 
 
-swarm_options = _swarm_options(_fleet_input, "N", "Hosts.")
+swarm_options = _swarm_options("fleet_input", _fleet_input, "N", "Hosts.")
 several_swarms_options = _swarm_options(
-    _fleet_inputs, "N[,N...]", "Hosts; several give a row each."
+    "inputs", _fleet_inputs, "N[,N...]", "Hosts; several give a row each."
 )
 
 

@@ -155,7 +155,7 @@ def _draw_phases(axis: Axes, data: pd.DataFrame, *robot: Any) -> None:
 
 
 def _label_totals(axis: Axes, data: pd.DataFrame, maximum: float) -> None:
-    """Write names of totals and of their largest phases where the totals leave the panel."""
+    """Label each total and its largest phase where the curve of the total leaves the panel."""
     for protocol, (ha, _, (across, _)) in zip(PAPER_PROTOCOLS, _LABEL_SIDES, strict=True):
         rows = data[(data["protocol"] == protocol.name) & (data["utilization"] <= 0.97 * maximum)]
         # The phase of the endpoints comes last, and is right of the total.
@@ -250,7 +250,7 @@ def fig3() -> Figure:
 
 
 def _draw_map(axis: Axes, surface: pd.DataFrame, line: pd.DataFrame, color: str) -> None:
-    """Draw lines of equal utilization, the full channel thick, and the robots of the line."""
+    """Draw lines of equal utilization, a thick one for a full channel, and the dashed line."""
     grid = surface.pivot_table(index="endpoints", columns="processes", values="utilization")
     levels = [0.25, 0.5, 1, 2]
     look: dict[str, Any] = {"levels": levels, "colors": color}

@@ -177,13 +177,13 @@ class Message:
         return self.per_unit * self.unit.count(fleet)
 
     def counted_by(self, by_hop: bool = False) -> list[tuple[Unit, tuple[Hop, ...]]]:
-        """Return units and their hops: one for all, or ``by_hop`` one each, of wireless hosts."""
+        """Return the unit and all hops or, ``by_hop``, the unit of wireless hosts for each hop."""
         if not by_hop:
             return [(self.unit, self.hops)]
         return [(self.wireless_unit(hop), (hop,)) for hop in self.hops]
 
     def wireless_unit(self, hop: Hop) -> Unit:
-        """Return the unit that counts only messages on the air of a hop, if hosts are wired.
+        """Return the unit that counts only the messages that take airtime on a hop.
 
         The other end of a message with one hop is a wired server. A message that the server passes
         on takes airtime on its way to the receiver, which answers it.

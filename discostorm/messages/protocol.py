@@ -20,7 +20,7 @@ from discostorm.wifi import Model
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Decides which remedies work for a protocol, and how it recovers losses.
+#: A protocol's family decides which remedies work, and how the protocol recovers losses.
 Family = Literal["DDS", "Zenoh"]
 
 Cost = TypeVar("Cost", float, Any)

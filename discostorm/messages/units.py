@@ -26,7 +26,7 @@ ProcessSet = Literal["process", "host", "first host of a group", "first process"
 #: or any host of the fleet, if all hosts receive the message.
 WirelessEnd = Literal["sender", "receiver", "any"]
 
-#: Counted entities: the processes that send for them, and what each of them has, as in `Hosts`.
+#: For each counted entity: the processes that send for it, and the property of `Hosts` to sum.
 ENTITIES: dict[str, tuple[ProcessSet, str]] = {
     "process": ("process", "ones"),
     "endpoint": ("process", "endpoints_per_process"),
@@ -51,7 +51,7 @@ class FleetTotals(NamedTuple):
     matches: float
 
 
-#: Factors of a count, each for a third party.
+#: Factors of a count: processes or hosts besides the sender and its receiver.
 FACTORS: dict[str, Callable[[FleetTotals], Count]] = {
     "third process": lambda fleet: fleet.processes - 2,
     "third host": lambda fleet: fleet.hosts - 2,
@@ -77,7 +77,7 @@ def _unmatched(group: HostGroup, matching: float) -> Count:
     return (group.endpoints - int_if_integral(group.shared)) * int_if_integral(1 - matching)
 
 
-#: What a process of the group at an index of a fleet has, by the names in `Hosts`.
+#: Functions of a fleet and a group's index that count what a process has, by names in `Hosts`.
 _PER_PROCESS: dict[str, Callable[[Fleet, int], Count]] = {
     "ones": lambda *_: 1,
     "endpoints_per_process": lambda fleet, index: fleet.groups[index].endpoints,

@@ -24,17 +24,17 @@ USUAL_MPDUS = 64
 class _DerivedQuantities:
     """Quantities that follow from the parameters of a radio, in SI units."""
 
-    carrier: float  #: its band [Hz], the standard's if none was given
+    carrier: float  #: frequency band [Hz]; by default that of the standard
     slot: float  #: duration of a slot [s]
     sifs: float  #: short interframe space [s]
     aifs: float  #: wait before the back-off [s]: SIFS and AIFSN slots; DIFS if 2
     cw_min: int  #: minimum contention window [slots]: a back-off is from 0 to this
     cw_max: int  #: maximum contention window [slots]
     preamble: float  #: duration of a unicast PPDU before its data [s]
-    multicast_preamble: float  #: the same of a multicast PPDU [s]
+    multicast_preamble: float  #: duration of a multicast PPDU before its data [s]
     ack: float  #: duration of an acknowledgement with its preamble [s]
     block_ack: float  #: duration of a block acknowledgement with its preamble [s]
-    signal_extension: float  #: of each OFDM PPDU in 2.4 GHz [s]; not of DSSS
+    signal_extension: float  #: silence after each OFDM PPDU in 2.4 GHz [s]
     rate: float  #: data rate of unicast frames [bit/s]
     basic_rate: float  #: data rate of multicast frames [bit/s]
 

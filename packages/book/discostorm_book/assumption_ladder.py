@@ -21,7 +21,7 @@ _ROBOT = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 
 @dataclass(frozen=True)
 class Assumption:
-    """An assumption in place of the paper's: computed, measured or simulated, with its needs."""
+    """An assumption that replaces one of the paper's, and the assumptions that it needs."""
 
     key: str
     name: str
@@ -77,7 +77,7 @@ def fleet_limits() -> Iterator[FleetLimit]:
         hosts = float(saturation_hosts(table, *_ROBOT, wifi=wifi, window=within))
         fit = wording.last_integer_below(hosts)
         if "periods" in on and "as built" not in on:
-            # Use the exact time, not its bound: between real messages there are gaps earlier.
+            # Use the exact time: gaps between messages leave the channel idle before its bound.
             while drain_times.first_idle(table, fit + 1, *_ROBOT, wifi=wifi) <= within:
                 fit += 1
         yield FleetLimit(on, protocol, fit, within, hosts, (fit, fit))

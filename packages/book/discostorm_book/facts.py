@@ -69,7 +69,7 @@ class Numeral:
 
 
 def facts(of: str = "", **values: Any) -> None:
-    """Keep values in SI units for the text below to state; `of` begins a paragraph elsewhere."""
+    """Keep SI values that the text below must state, or the paragraph that begins with `of`."""
     shown = [f"{name.replace('_', ' ')} {float(value):.4g}" for name, value in values.items()]
     # Ten digits hide the last bit, which differs between processors. JSON has several ways to write
     # a number, so the values are kept as text.

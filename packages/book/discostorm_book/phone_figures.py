@@ -138,7 +138,7 @@ def _pull_texts_inside(figure: Figure) -> None:
             low, high = axis.get_xlim()
             axis.set_xlim(low * (low / high) ** (1.3 * over / axis.bbox.width), high)
         for text in axis.texts:
-            # For the others the layout makes room.
+            # The layout makes room for the other texts.
             over = text.get_window_extent().x1 + _EDGE_GAP * figure.dpi - figure.bbox.width
             if over > 0 and not text.get_in_layout() and isinstance(text, Annotation):
                 right, up = text.xyann

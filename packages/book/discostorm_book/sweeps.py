@@ -63,7 +63,7 @@ def drain_times() -> pd.DataFrame:
 
 
 def losses_compared_with_ns3() -> pd.DataFrame:
-    """Return deliveries lost with limited queues here and in ns-3, and the difference in points."""
+    """Return deliveries lost with limited queues, ours and those of ns-3, and the difference."""
     theirs = load_sweep("ns3_bursts", "measured")
     theirs = _with_mpdus(theirs[theirs["scenario"].isin(["queue", "short_queue", "errors"])])
     keys = ["protocol", "hosts", "mpdus", "queue_frames", "loss"]
@@ -133,7 +133,7 @@ def staggered_start_rows(**wanted: object) -> pd.DataFrame:
 
 
 def converges_sooner(row: pd.Series, reference: pd.Series) -> bool:
-    """Return whether the first converges sooner by more than the runs scatter."""
+    """Return whether `row` converges sooner than `reference`, by more than the runs scatter."""
     return bool(row["convergence_time_s_high"] < reference["convergence_time_s_low"])
 
 

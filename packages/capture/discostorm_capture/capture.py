@@ -153,7 +153,7 @@ class Capture:
         return Fleet(tuple(groups))
 
     def vantage_host(self) -> str | None:
-        """Return the host of all unicast, if any, of at least three; servers do not count."""
+        """Return the only host with captured unicast, if three or more hosts are no servers."""
         from discostorm_capture.diagnosis.observations import vantage_host
 
         hosts = set(self._processes["host"]) - {""}

@@ -44,7 +44,7 @@ class VisibleFleet:
 
 
 def fleet_visible_from(fleet: Fleet, processes: DataFrame) -> VisibleFleet:
-    """Return a fleet seen from the host of these processes, in the most similar group."""
+    """Return the view of a fleet from these processes' host, as one of the most similar group."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
     n, groups = len(processes), fleet.groups
     differences = [(abs(group.processes - n), abs(group.endpoints - mean)) for group in groups]

@@ -21,11 +21,9 @@ ChannelFit = Literal["fits", "may fit", "does not fit"]
 
 @dataclass(frozen=True)
 class AggregationRange:
-    """A number with full A-MPDUs, and with one frame in each exchange."""
+    """A quantity computed with full A-MPDUs, and with one frame in each exchange."""
 
-    #: With full A-MPDUs.
     full: float
-    #: With one frame in each exchange.
     single: float
 
     @property
@@ -43,7 +41,7 @@ class AggregationRange:
 
     @property
     def differs(self) -> bool:
-        """Whether the two ends differ."""
+        """Whether the two values differ."""
         return self.full != self.single
 
     def to_dict(self) -> dict[str, float | None]:

@@ -136,7 +136,7 @@ def _change_blocks(plan: Plan, count: int, all_changes: bool) -> Iterator[list[s
         gains = [f"- {wording.capitalized(r.what)} {r.gain_clause()}." for r in rows[:count]]
         none = "none known"
         if math.isinf(plan.startup.bounds[0]):
-            # Today's airtime says nothing where it never ends.
+            # An endless startup has no airtime to compare with.
             none, ending = "none ends", [r for r in plan.remedies if math.isfinite(r.start_window)]
             gains = [
                 fill("drain", what=wording.capitalized(r.what), after=_time_text(r.start_window))
@@ -206,7 +206,7 @@ def _change_blocks(plan: Plan, count: int, all_changes: bool) -> Iterator[list[s
 
 
 def _hosts_in_time_text(plan: Plan) -> str:
-    """Return how many hosts of a group meet the target unchanged, if not all do."""
+    """Return the sentence on how many hosts of a group meet the target; "" if unknown."""
     if plan.discovery.hosts_in_time is None:
         return ""
     (name, count, time), groups = plan.discovery.hosts_in_time, _groups_in_discovery(plan)
@@ -256,7 +256,7 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
 
 
 def _slower_in_reality(plan: Plan, today: DiscoveryTime) -> str:
-    """Return how much slower reality may be, and what that would be here."""
+    """Return by which factor reality may be slower, and the discovery time with this factor."""
     ratios, times = remedy_rules.time_ratios(plan.protocol), plan.discovery.slowest
     key = "slower" if ratios["measured"] else "slower elsewhere"
     slow = _time_text(times * today.nine_of_ten_good)

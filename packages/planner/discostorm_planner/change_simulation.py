@@ -50,9 +50,7 @@ class SimulatedChange:
 
     #: Name of the change for ``--paste``.
     name: str
-    #: The change.
     remedy: Remedy
-    #: The discovery time after the change.
     time: DiscoveryTime | None = None
     #: Why the change was not simulated; empty if it was.
     reason: str = ""
@@ -60,19 +58,19 @@ class SimulatedChange:
     start_window: float = 0.0
     #: Why simulations of the changed product may be wrong; empty if nothing is known.
     caution: str = ""
-    #: Most that times measured on an emulated cell are as multiples of simulated ones, or 1 [1].
+    #: Maximum ratio of times measured on an emulated cell to simulated ones, at least 1 [1].
     slowest: float = 1.0
     #: The smallest variant of the change that still suffices, if there is a smaller one.
     smallest: SimulatedChange | None = None
 
     def suffices(self, within: float) -> bool:
-        """Return whether the startup works after it, also if reality is as slow as measured."""
+        """Return whether the startup then works, even if reality is as slow as we measured."""
         trusted = self.remedy.all_discover and not self.is_cautious
         return bool(trusted and self.time and self.time.works(within / self.slowest))
 
     @property
     def is_cautious(self) -> bool:
-        """Whether it loses so many messages that simulations of its product may be wrong."""
+        """Whether so many messages are lost that simulations of the product may be wrong."""
         return bool(self.caution and self.time and self.time.lost > CAUTION_LOSS)
 
     def sort_key(self, within: float) -> tuple[Any, ...]:
@@ -117,7 +115,7 @@ class DiscoveryResult:
     complete: bool = True
     #: Why simulations of the product may be wrong, if many messages are lost; else empty.
     caution: str = ""
-    #: Most that measured times on an emulated cell are as a multiple of simulated times [1].
+    #: Maximum ratio of times measured on an emulated cell to simulated ones [1].
     slowest: float = 1.0
     #: Largest number of hosts of one group with which the unchanged fleet meets its target:
     #: group, number, discovery time; None if unknown.
@@ -130,7 +128,7 @@ class DiscoveryResult:
 
     @property
     def surely_works(self) -> bool:
-        """Whether it works, also if reality is as slow as measured, and simulations are right."""
+        """Whether the fleet works even if reality is as slow as measured, without a caution."""
         today, within = self.today, self.within / self.slowest
         return today is not None and today.works(within) and not self.caution
 
@@ -336,7 +334,7 @@ def _pick_remedies(remedies: Sequence[Remedy]) -> list[Remedy]:
 
 
 def _pick_closest(changes: Sequence[SimulatedChange], staggered: Sequence[Remedy]) -> list[Remedy]:
-    """Return those changes with a staggered start whose change alone comes closest in its runs."""
+    """Return the staggered changes whose change alone comes closest to the target in its runs."""
     ranks = {(c.remedy.steps, c.remedy.protocol): c.time.rank for c in changes if c.time}
     known = [r for r in staggered if (r.steps[:-1], r.protocol) in ranks]
     known.sort(key=lambda r: ranks[r.steps[:-1], r.protocol])

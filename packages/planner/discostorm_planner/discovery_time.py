@@ -73,7 +73,7 @@ class DiscoveryTime:
 
     @property
     def rank(self) -> tuple[float, ...]:
-        """Sort key: the shortest median first, and the most completed pairs of those without."""
+        """Sort key: the shortest median first; without a median, the most completed pairs first."""
         return self.median, self.nine_of_ten, -median(self.pairs_done or (0.0,))
 
     @property
@@ -111,7 +111,7 @@ class DiscoveryTime:
         return losses + ["leases end"] * (median(self.expired_per_pair) > MIN_EXPIRED)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what JSON can hold: infinity is None."""
+        """Return a dict for JSON, with infinity as None."""
         low, high = self.median_interval
         found = {
             "median_s": self.median,

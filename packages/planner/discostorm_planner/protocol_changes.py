@@ -192,7 +192,7 @@ def session_setup_note(
 
 
 def _session_setup(sides: int) -> Protocol:
-    """Return the messages that open sessions, if one or both peers of a link dial."""
+    """Return the messages that open sessions, if one side or both sides of a link dial."""
     # A session joins an unordered pair of processes, which is two ordered pairs.
     count = sides * defaults("Zenoh")["session_messages"] / 2
     keep_alive = ZENOH.message("KeepAlive")

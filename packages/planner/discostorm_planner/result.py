@@ -140,7 +140,7 @@ class Plan:
 
     @cached_property
     def late_join(self) -> DiscoveryTime | None:
-        """Discovery time of a robot that starts after all others; None if not, or interrupted."""
+        """Discovery time of a robot that starts after all others; None if not simulated."""
         today = None if self.all_wired or self.fleet.hosts() == 1 else self.discovery.today
         try:
             return simulate_late_join(self._setting, today) if today else None
@@ -313,7 +313,7 @@ class Plan:
 
 
 def _short_key(name: str) -> str:
-    """Return what spellings of a change's name share: no article, plural, window or number."""
+    """Return a change's name in lower case, without article, plural, window and number."""
     name = re.sub(r"(?i), at random within .*| or fewer\b|^(an?|another|the) ", "", name.strip())
     return _names.normalize(re.sub(r"(processes\b.* into) \d+", r"\1 1", name)).removesuffix("s")
 

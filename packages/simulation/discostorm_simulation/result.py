@@ -63,7 +63,7 @@ def _channel_dicts(fleet: Fleet, wifi: Wifi) -> dict[str, Any]:
 
 
 def _stack_runs(values: list[Any]) -> Any:
-    """Return an array of the runs' values; of dictionaries, one with an array for each key."""
+    """Stack the runs' values in an array; dictionaries become one dictionary of arrays."""
     if isinstance(values[0], dict):
         return {key: _stack_runs([value[key] for value in values]) for key in values[0]}
     return np.array(values)

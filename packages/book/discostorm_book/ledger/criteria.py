@@ -154,7 +154,7 @@ class Criterion:
             names=" and ".join(_argument_label(each) for each in names if each not in nt.NOTATION),
             swarm=_format_swarm(*self.arguments[-3:]) if "{swarm}" in template else "",
         )
-        # One of a thing is not many of them.
+        # Put the noun after a 1 into the singular.
         question = re.sub(
             r"\b1 (process(?=es\b)|(?:message|session|bit|host|kind|frame)(?=s\b))e?s",
             r"1 \1",

@@ -68,7 +68,7 @@ def capture(
         click.echo(f"Waiting for a program that writes into {pipe}.", err=True)
     with cli_output.bad_input(), cli_output.show_slow_task("reading"):
         captured = ds.read_capture(fleet_options.standard_input() if file == "-" else file)
-        members = fleet_options.comparison_fleet(fleet, robot, hosts)
+        compared = fleet_options.comparison_fleet(fleet, robot, hosts)
         wired_hosts = _parse_wired(wired)
         wires = set(captured.processes()["protocol"])
         models = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in wires]
@@ -76,12 +76,12 @@ def capture(
             models = [ds.PROTOCOLS[against]]
         rows, seconds = [], {}
         for model in models:
-            table = captured.compare(model, members, wired=wired_hosts, window=window)
+            table = captured.compare(model, compared, wired=wired_hosts, window=window)
             rows += [{"protocol": model.name} | row for row in json_rows(table.reset_index())]
             seconds[model.name] = captured.compared_seconds(model, window)
         sums = captured.sums(wired=wired_hosts)
-        if expected is None and members is not None:
-            expected = diagnosis_output.count_hosts(members)
+        if expected is None and compared is not None:
+            expected = diagnosis_output.count_hosts(compared)
         diagnosis = captured.diagnosis(expected)
         encrypted = any(finding.kind == "encrypted" for finding in diagnosis.findings)
         if written is not None and encrypted:
@@ -93,7 +93,7 @@ def capture(
         link = None
         if own is not None and not encrypted:
             link = calculator_link(own, most_common_product(captured))
-        groups = () if members is not None or own is None else own.groups
+        groups = () if compared is not None or own is None else own.groups
         if picture is not None:
             drawing = io.BytesIO()
             kind = Path(picture).suffix[1:].lower()

@@ -154,7 +154,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
 
 
 def different_domains(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that hosts are in different domains, or a process is in another one than its host."""
+    """Report that hosts are in different domains, or a process is in another one than its host."""
     known = evidence.obs.processes.query("domain >= 0 and host != ''")
     names = known["domain"].astype(str) + known["tag"].map(lambda tag: tag and f" (tag {tag!r})")
     for _, table in known.groupby("protocol"):
@@ -354,7 +354,7 @@ def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[F
 
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that hosts of a scope form groups without any message from one to another."""
+    """Report that hosts of a scope form groups without any message from one to another."""
     parts = [_connected_groups(evidence.obs, scope) for scope in evidence.scopes]
     separated = [_explain_separation(evidence.obs, groups) for groups in parts if len(groups) > 1]
     yield from separated or _hosts_never_addressed(evidence)

@@ -28,7 +28,7 @@ class Evidence:
         #: How each process ended: "left", "silent" or "".
         self.endings = _process_endings(obs)
         first, last = obs.first_last
-        #: Processes that said goodbye before a missing answer of theirs would count.
+        #: Processes that said goodbye too early for a missing answer to count as a fault.
         brief = (self.endings == "left") & (last - first < LIMITS.timeout)
         self.brief_processes = {*np.flatnonzero(brief).tolist()}
         self.restart_chains = _restart_chains(obs, self.endings)
@@ -136,7 +136,7 @@ def _silent_hosts(obs: Observations) -> dict[str, int]:
 
 
 def _process_endings(obs: Observations) -> Array:
-    """Return "left" after a goodbye, "silent" without one, "" if it continues or is unknown."""
+    """Return for each process "left" after a goodbye, "silent" without one, else ""."""
     closed = _observed_ends(obs)
     # A process that only uses a server on its own host announces nothing in the capture.
     announced = obs.senders(obs.isin("kind", "SPDP", *pairs.CLIENT_KINDS))

@@ -50,7 +50,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
 
 
 def paused_servers(evidence: Evidence) -> Iterator[Finding]:
-    """Yield servers that answered nothing for a while, and Zenoh routers of which only TCP does."""
+    """Yield servers that answered nothing for a while, and Zenoh routers with TCP ACKs only."""
     obs = evidence.obs
     for host in obs.hosts_of(sorted(obs.servers)):
         by_it = obs.isin("sender", host)

@@ -31,7 +31,7 @@ class Pair:
     complete_at: float
     #: Number of endpoints that the subject announced to the observer.
     n_announced: int
-    #: When the observer started over, having confirmed endpoints before [s].
+    #: When the observer, which had confirmed endpoints, started discovery over [s].
     rediscovered_at: tuple[float, ...] = ()
 
     @property
@@ -61,7 +61,7 @@ def endpoint_announcements(obs: Observations) -> dict[tuple[int, ...], Array]:
 
 
 def first_of_each_burst(times: Iterable[float]) -> list[float]:
-    """Return those times that follow the previous kept one by more than a startup pause."""
+    """Return the first time of each burst; bursts are a startup pause or more apart."""
     apart: list[float] = []
     for time in sorted(times):
         if not apart or time - apart[-1] > LIMITS.max_startup_pause:
@@ -279,7 +279,7 @@ def min_answer_times(obs: Observations, asked: Iterable[Exchange]) -> dict[tuple
     announced = obs.rows_by(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
     for subject, observer, _, asks in asked:
         rows, known = announced.get((subject, int(obs["writer"][asks[0]]))), obs.seq[asks] - 1
-        known += obs["missing"][asks]  # the number of samples of which the reader knew
+        known += obs["missing"][asks]  # the number of samples that the reader knew of
         if rows is not None:
             at = np.searchsorted(np.maximum.accumulate(obs.seq[rows]), known)
             times = obs.time[asks] - np.append(obs.time[rows], -np.inf)[at]

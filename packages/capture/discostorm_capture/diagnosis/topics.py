@@ -87,7 +87,7 @@ def older_distributions(evidence: Evidence) -> Iterator[Finding]:
 
 
 def uninformed_clients(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts to whose clients a server or router announces no endpoint, but to others."""
+    """Yield hosts to whose clients a server or router announces no endpoints, unlike to others."""
     obs = evidence.obs
     sent = obs.isin("kind", SEDP) | obs.isin("submessage", "DeclareSubscriber", "Push")
     sent &= np.isin(obs.sender_index, [*obs.servers])

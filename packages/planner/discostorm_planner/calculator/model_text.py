@@ -52,7 +52,7 @@ def model_data() -> JsValue:
             "product": "Fast DDS",
         },
         "ros": inputs.release_tables(),
-        # What commands call a table whose name stands for the newest release of its product.
+        # The table's name in commands, if it stands for the newest release of its product.
         "exact": {
             r["protocol"]: r["alias"] for r in read_data("vendors/aliases.csv") if r["exact"]
         },

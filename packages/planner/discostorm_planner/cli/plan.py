@@ -98,7 +98,7 @@ _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encod
 @wifi_options
 @output_options
 def plan(
-    members: FleetInput,
+    fleet_input: FleetInput,
     protocols: tuple[ds.Protocol, ...],
     nodes: Any,
     shared: float | None,
@@ -112,17 +112,17 @@ def plan(
     output: Output,
 ) -> None:
     """Say whether a fleet's startup works, and what to change first."""
-    ((_, seen, wifi), *others) = channels_by_cell(members.fleet, wifi)
+    ((_, seen, wifi), *others) = channels_by_cell(fleet_input.fleet, wifi)
     with bad_input(), show_slow_task("planning"):
         try:
-            fleet = _set_counts(members.fleet if others else seen, nodes, shared)
+            fleet = _set_counts(fleet_input.fleet if others else seen, nodes, shared)
             fleet = replace(fleet, ros=chosen_distribution())
             if others:
                 plans = [plan_cells(fleet, protocol, within) for protocol in protocols]
             else:
                 plans = [ds.plan(fleet, protocol, wifi, within=within) for protocol in protocols]
         except ValueError as error:
-            raise ValueError(f"{members.error_prefix}{error}") from error
+            raise ValueError(f"{fleet_input.error_prefix}{error}") from error
     if force and folder is None:
         raise click.UsageError("--force needs --write")
     if paste is not None or folder is not None:
@@ -164,7 +164,7 @@ def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
 
 @contextmanager
 def _progress_bar(busy: str) -> Iterator[Progress]:
-    """Say on standard error what takes long, and on a terminal how far simulations are."""
+    """Print on standard error what takes long and, on a terminal, a progress bar."""
     given, live = click.get_current_context().params, is_live_terminal()
     plain = not (given["as_json"] or given["as_csv"])
     with ExitStack() as shown:
@@ -280,7 +280,7 @@ def _set_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float |
     for group, given in zip(fleet.groups, of_groups, strict=True):
         own, many = group.shared, group.nodes if given is None else given
         if own == likely_shared(group.endpoints, group.nodes):
-            # ROS 2 shares more for more nodes; what a file says stays.
+            # More nodes share more endpoints; a number from a fleet file stays.
             own = likely_shared(group.endpoints, many)
         groups.append(replace(group, nodes=many, shared=own if shared is None else shared))
     return replace(fleet, groups=tuple(groups))
