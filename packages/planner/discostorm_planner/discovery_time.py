@@ -127,5 +127,4 @@ class DiscoveryTime:
             "simulated_s": self.simulated_seconds,
             "repairs_simulated": self.repaired,
         }
-        ready: dict[str, Any] = json_ready(found)
-        return ready
+        return dict(json_ready(found))

@@ -136,9 +136,8 @@ def plan(
         needs = f"the periodic traffic alone needs {wording.percent(steady.full)} of the channel"
         del remedies[STAGGERED_START]
         reasons.insert(0, f"{STAGGERED_START.what}: {needs}, so no window is long enough")
-    combined = [
-        _compute_remedy(base, steps, seconds) for steps in _best_sets(base, remedies, seconds)
-    ]
+    best_sets = _best_sets(base, remedies, seconds)
+    combined = [_compute_remedy(base, steps, seconds) for steps in best_sets]
     captured, key = protocol.captured, protocol.key
     return Plan(
         fleet=fleet,

@@ -140,18 +140,17 @@ def plan(
         print_table(rows, output)
     elif len(plans) > 1:
         _print_comparison(plans, output)
-    elif output.as_csv:
-        _simulate_plan(plans[0])
-        print_table(_change_rows(plans[0]), output)
-    elif output.as_json:
-        _simulate_plan(plans[0])
-        click.echo(to_json(plans[0].to_dict()))
     else:
-        width = min(max(shutil.get_terminal_size().columns, 40), 79)
         _simulate_plan(plans[0])
-        click.echo(visible(plans[0].advice(width, all_changes=all_changes)))
-        if why:
-            click.echo("\n" + visible(plans[0].why(width)))
+        if output.as_csv:
+            print_table(_change_rows(plans[0]), output)
+        elif output.as_json:
+            click.echo(to_json(plans[0].to_dict()))
+        else:
+            width = min(max(shutil.get_terminal_size().columns, 40), 79)
+            click.echo(visible(plans[0].advice(width, all_changes=all_changes)))
+            if why:
+                click.echo("\n" + visible(plans[0].why(width)))
 
 
 def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
