@@ -168,8 +168,8 @@ def burst(
     True
     """
     fleet = as_fleet(hosts, processes, endpoints)
-    seconds, extra = partial(_hop_seconds, wifi=as_wifi(wifi)), attrgetter("extra")
-    costs = as_protocol(protocol).sum_by_unit(seconds, extra, by_hop=fleet.has_wired)
+    seconds, burst_count = partial(_hop_seconds, wifi=as_wifi(wifi)), attrgetter("burst_count")
+    costs = as_protocol(protocol).sum_by_unit(seconds, burst_count, by_hop=fleet.has_wired)
     return weighted_sum(costs, fleet)
 
 

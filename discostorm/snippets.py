@@ -1,7 +1,7 @@
 """Configuration to copy for a remedy: pieces, each for a version of a product.
 
-``data/vendors/snippets.csv`` has for each file of ``data/vendors/snippets/`` its remedy, place,
-loading and source, the hosts that need it, and whether a test has its product load it.
+``data/vendors/snippets.csv`` lists the files of ``data/vendors/snippets/``: remedy, place, loading,
+source, the hosts that need the file, and whether a test has its product load it.
 """
 
 import re

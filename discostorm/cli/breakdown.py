@@ -15,7 +15,7 @@ from discostorm.wifi import Wifi
 
 
 def _format_count(value: float) -> str:
-    return f"{value:,.0f}" if 10 <= value < wording.HUGE else out.plain(float(f"{value:.2g}"))
+    return f"{value:,.0f}" if 10 <= value < wording.HUGE else out.as_text(float(f"{value:.2g}"))
 
 
 def _format_seconds(value: float) -> str:

@@ -71,7 +71,7 @@ class Output:
         return not (self.as_json or self.as_csv)
 
 
-def plain(value: Any) -> str:
+def as_text(value: Any) -> str:
     """Format a cell with all digits that matter, and without a terminal's control characters."""
     if not isinstance(value, float):
         return visible(str(value)).replace("\n", "\\n")
@@ -103,7 +103,7 @@ class Column:
 
     key: str
     heading: str = ""
-    format: Format = plain
+    format: Format = as_text
     unit: str = ""
 
     @property

@@ -14,7 +14,7 @@ from discostorm.messages.schedule import ONCE, Schedule
 from discostorm.messages.units import Unit, WirelessEnd
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
 
-#: Least messages per unit, and least part of a frame [1].
+#: Minimum number of messages per unit, and minimum part of a frame [1].
 _MIN_PER_UNIT = 1e-9
 
 Transport = Literal["UDP", "TCP"]

@@ -200,7 +200,7 @@ class Protocol:
         .. math:: U_\Phi = \sum_{\phi \in \Phi} \left(\frac{x_\phi}{W} + \frac{1}{P_\phi}\right)
             L_\phi (\mathcal{T}^{up}_\phi + \mathcal{T}^{down}_\phi)
 
-        For the x of a message with period P see `Schedule.extra`. The paper's messages are sent
+        `Schedule.burst_count` is the x of a message with period P. Messages of the paper are sent
         once, in a window W of one second: :math:`x / W + 1 / P = 1`.
 
         Parameters
@@ -225,7 +225,7 @@ class Protocol:
         self, phase: str | None = None, fleet: Fleet = PAPER_SWARM, model: Model = "linear"
     ) -> sp.Expr:
         """Return the airtime [s] that startup needs beyond the steady state; see `utilization`."""
-        return self._total(phase, fleet, model, lambda schedule: int_if_integral(schedule.extra))
+        return self._total(phase, fleet, model, lambda s: int_if_integral(s.burst_count))
 
     def costs(
         self,

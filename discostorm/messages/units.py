@@ -114,10 +114,10 @@ class Hosts:
     list_entries_per_process: NDArray[np.float64] = field(init=False)
     matched_per_process: NDArray[np.float64] = field(init=False)
     matched_writers: NDArray[np.float64] = field(init=False)
-    matched_of_host: NDArray[np.float64] = field(init=False)  #: mean over the host's processes
+    matched_of_host: NDArray[np.float64] = field(init=False)  #: mean of the host's processes
     unmatched_per_process: NDArray[np.float64] = field(init=False)
     unknown_types_per_process: NDArray[np.float64] = field(init=False)
-    matched_elsewhere: NDArray[np.float64] = field(init=False)  #: of all other processes
+    matched_elsewhere: NDArray[np.float64] = field(init=False)  #: sum over other processes
     matches: bool = field(init=False)
 
     def __post_init__(self) -> None:

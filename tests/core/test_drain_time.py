@@ -195,14 +195,14 @@ def test_one_message_of_each_is_the_paper_however_long_its_period() -> None:
 
 def test_extra_and_rate_of_schedules_worked_out_by_hand() -> None:
     fast, cyclone, scout = (product.messages[0].schedule for product in PRODUCTS)
-    assert fast.extra == pytest.approx(6 - 0.5 / 3)
+    assert fast.burst_count == pytest.approx(6 - 0.5 / 3)
     assert fast.per_second == pytest.approx(1 / 3)
-    assert cyclone.extra == pytest.approx(2 - 0.1 / 8)
+    assert cyclone.burst_count == pytest.approx(2 - 0.1 / 8)
     assert scout.starts == (0, 1, 3, 7)
-    assert scout.extra == pytest.approx(4 - 7 / 8)
+    assert scout.burst_count == pytest.approx(4 - 7 / 8)
     keep_alive = ZENOH_PEER.messages[-1].schedule
-    assert (keep_alive.extra, keep_alive.period) == (0, 2.5)
-    assert (ONCE.extra, ONCE.per_second) == (1, 0)
+    assert (keep_alive.burst_count, keep_alive.period) == (0, 2.5)
+    assert (ONCE.burst_count, ONCE.per_second) == (1, 0)
 
 
 @pytest.mark.parametrize("product", ALL, ids=lambda product: product.name)

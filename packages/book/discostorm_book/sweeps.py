@@ -99,7 +99,7 @@ def _with_mpdus(ns3: pd.DataFrame) -> pd.DataFrame:
 
 
 def round_up(value: float, step: float) -> float:
-    """Return a largest difference, rounded up to whole steps."""
+    """Round a value up to a multiple of a step, except for a rounding error."""
     return float(np.ceil(value / step - 1e-9) * step)
 
 

@@ -105,14 +105,14 @@ def has_unexpected_multicast(protocol: Protocol, rows: DataFrame) -> bool:
     return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
 
 
-def model_message_times(protocol: Protocol, messages: DataFrame) -> Any:
+def captured_times(protocol: Protocol, messages: DataFrame) -> Any:
     """Return when messages of a model were captured [s]."""
     return messages["time"][messages["kind"].isin([message.kind for message in protocol.messages])]
 
 
 def comparison_window(protocol: Protocol, messages: DataFrame, duration: float) -> float:
     """Return the time from the first message of a model to the end of the capture [s]."""
-    times = model_message_times(protocol, messages)
+    times = captured_times(protocol, messages)
     if times.empty:
         return duration
     # Without a message for half of the shortest period, all hosts are gone.

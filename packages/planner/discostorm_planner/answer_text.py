@@ -249,7 +249,7 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
         line += fill("paste", name=name) * bool(remedy.snippets)
         time, said = change.time, change.is_cautious and change.caution == plan.discovery.caution
         if time and time.works(plan.within) and not (said or change.suffices(plan.within)):
-            slow = _time_text(change.slowest * time.nine_of_ten_good)
+            slow = _time_text(change.slowest * time.nine_of_ten_unexpired)
             key = "doubtful" if change.is_cautious else "perhaps"
             line += fill(key, caution=change.caution, slow=slow)
         yield line
@@ -259,7 +259,7 @@ def _slower_in_reality(plan: Plan, today: DiscoveryTime) -> str:
     """Return by which factor reality may be slower, and the discovery time with this factor."""
     ratios, times = remedy_rules.time_ratios(plan.protocol), plan.discovery.slowest
     key = "slower" if ratios["measured"] else "slower elsewhere"
-    slow = _time_text(times * today.nine_of_ten_good)
+    slow = _time_text(times * today.nine_of_ten_unexpired)
     return fill(key, times=f"{times:.2g}", slow=slow, **ratios)
 
 
@@ -300,7 +300,7 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
         median, nine, notes = "", "", [fill("not simulated", reason=found.reason)]
         if today is not None:
             lost = format_share(today.lost)
-            notes = [f"{_pairs_done(today)} are done"] if math.isinf(today.median) else []
+            notes = [f"{_done_text(today)} are done"] if math.isinf(today.median) else []
             notes += [fill("some leases", **_lease_counts(today))] * bool(today.expired_lease_runs)
             notes += [fill("lost", lost=lost)] * today.is_lower_bound
             median = "at least " * today.is_lower_bound + _time_text(today.median)
@@ -320,7 +320,7 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
     return rows, [*more, " ".join(lines)]
 
 
-def _pairs_done(time: DiscoveryTime) -> str:
+def _done_text(time: DiscoveryTime) -> str:
     """Describe the share of completed pairs in the worst and in the best run."""
     low, high = format_share(time.pairs_done[0]), format_share(time.pairs_done[-1])
     span = f"at most {high}" if low.startswith("less") else f"{low} to {high}"
@@ -406,7 +406,7 @@ def describe_time(time: DiscoveryTime | None) -> str:
     if time is None:
         return "not simulated"
     if math.isinf(time.median):
-        return f"never ({_pairs_done(time)})"
+        return f"never ({_done_text(time)})"
     text = _time_text(time.median)
     low, high = (_time_text(end) for end in time.median_interval)
     if low != high:

@@ -66,7 +66,7 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
                 note = f"{note}, and " * bool(note)
                 note += f"the server forwards everything, as in {release}"
         yield Change(
-            kind, what, "table", table=table, base=base, basis_note=note, steps=tuple(steps)
+            kind, what, "table", table=table, baseline=base, basis_note=note, steps=tuple(steps)
         )
 
 

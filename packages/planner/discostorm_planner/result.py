@@ -282,13 +282,13 @@ class Plan:
         for row in others:
             if row["kind"] in named:
                 named.setdefault(row["name"], named[row["kind"]])
-        found = {_short_key(key): remedy for key, remedy in reversed(named.items())}
-        wanted = _short_key(name)
+        found = {_bare_name(key): remedy for key, remedy in reversed(named.items())}
+        wanted = _bare_name(name)
         if wanted in found:
             return found[wanted]
         kinds = [paste_name(r, remedies) for r in self.remedies if r.snippets]
         like = _names.did_you_mean(name, [one for one in named if "staggered" not in one])
-        if wanted in {_short_key(row[of]) for row in others for of in ("name", "kind")}:
+        if wanted in {_bare_name(row[of]) for row in others for of in ("name", "kind")}:
             like = f", which {self.protocol.name} has already or cannot have"
         raise ValueError(
             f"change must be one of {wording.join_words(kinds, 'or')}; "
@@ -312,7 +312,7 @@ class Plan:
         return self.advice()
 
 
-def _short_key(name: str) -> str:
+def _bare_name(name: str) -> str:
     """Return a change's name in lower case, without article, plural, window and number."""
     name = re.sub(r"(?i), at random within .*| or fewer\b|^(an?|another|the) ", "", name.strip())
     return _names.normalize(re.sub(r"(processes\b.* into) \d+", r"\1 1", name)).removesuffix("s")

@@ -50,10 +50,10 @@ class RunOptions:
             return out.format_seconds(taken)
         if self.no_recovery:  # without recovery, nothing retransmits lost frames
             return "never, as frames were lost"
-        return self.not_within
+        return self.not_observed_text
 
     @property
-    def not_within(self) -> str:
+    def not_observed_text(self) -> str:
         """Text for a time that exceeds the simulated period."""
         after = " after the last start" if self.window else ""
         return f"not within {_checks.format_exact(self.until)} s{after}"
@@ -64,9 +64,9 @@ class RunOptions:
         known = sorted(found.convergence_time.tolist())
         in_time = [time for time in known if time < float("inf")]
         if not in_time:
-            return f"Your robots do not all know each other {self.not_within[4:]} ({runs})."
+            return f"Your robots do not all know each other {self.not_observed_text[4:]} ({runs})."
         late = len(known) - len(in_time)
-        missing = f", in {late} of them {self.not_within}" if late else ""
+        missing = f", in {late} of them {self.not_observed_text}" if late else ""
         taken = wording.time_range(in_time[0], in_time[-1])
         return f"Your robots know each other after {taken} ({runs}{missing})."
 

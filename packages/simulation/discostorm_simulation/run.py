@@ -203,7 +203,7 @@ def _power_factors(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64
 
 
 def _completed_at(setup: Setup, cell: st.CellState, missing: st.Ints) -> st.Ints:
-    """Return when each pair completed discovery, by the server for processes that learn nothing."""
+    """Return when each pair completed discovery; of pairs without data, when the server did."""
     host, mute = setup.hosts.host_of, cell.processes["mute"].any()
     learning = setup.hosts.first[host] if mute else np.arange(host.size)
     done = cell.pairs["completed_at"][learning, : host.size]

@@ -169,11 +169,10 @@ def _print_fleet_and_messages(
     packets = wording.count_noun(captured.packets, "packet")
     click.echo(cli_output.visible(f"{captured.path}: {packets} in {captured.duration:.3f} s"))
     for group in groups:
-        hosts, processes, endpoints = group.counts()
-        each = wording.count_noun(processes, "process", "es")
+        each = wording.count_noun(group.processes, "process", "es")
         wired = ", wired" if group.wired else ""
-        many = cli_output.plain(endpoints)
-        click.echo(f"hosts: {cli_output.plain(hosts)} with {each} of {many} endpoints each{wired}")
+        hosts, endpoints = map(cli_output.as_text, (group.hosts, group.endpoints))
+        click.echo(f"hosts: {hosts} with {each} of {endpoints} endpoints each{wired}")
     if not rows:
         click.echo("It contains no messages of RTPS or Zenoh.")
         return

@@ -45,7 +45,7 @@ def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
 
 def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
     """Report that the capture lacks samples, hosts or packets."""
-    text = list(evidence.obs.quality.gaps)
+    text = list(evidence.obs.recording.gaps)
     missing: dict[str, int] = {}
     for (subject, _), count in evidence.missing_samples.items():
         missing[subject] = max(missing.get(subject, 0), count)
@@ -55,7 +55,7 @@ def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
     text += [say("lacks host", count, host) for host, count in evidence.silent_hosts.items()]
     if text:
         hosts = sorted({*missing, *evidence.silent_hosts})
-        if (count := evidence.obs.quality.incomplete_datagrams) >= LIMITS.min_messages:
+        if (count := evidence.obs.recording.incomplete_datagrams) >= LIMITS.min_messages:
             yield Finding("samples in parts", (), say("lack fragments", count))
         yield Finding("capture lost part", tuple(hosts), "; ".join(text))
 
@@ -79,7 +79,7 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
 
 def clock_steps(evidence: Evidence) -> Iterator[Finding]:
     """Yield the steps of the capture's clock."""
-    for frame, step in evidence.obs.quality.clock_steps[:MAX_CLOCK_STEPS]:
+    for frame, step in evidence.obs.recording.clock_steps[:MAX_CLOCK_STEPS]:
         way = "back" if step < 0 else "on"
         yield Finding(f"clock {way}", (), say("clock step", frame, abs(step), way))
 

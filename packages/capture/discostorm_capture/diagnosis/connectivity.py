@@ -209,7 +209,7 @@ def _lone_host(evidence: Evidence, scope: DiscoveryScope, reach: Reachability) -
 
 def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -> Iterator[Finding]:
     """Yield why no announcement is answered, such as different subnets or filtered multicast."""
-    hosts, others = reach.hosts, obs.quality.packets_without_messages
+    hosts, others = reach.hosts, obs.recording.packets_without_messages
     count = int((obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]).sum())
     text = f"{listing(hosts)} announced themselves {count} times by multicast"
     subnets = obs.subnet_numbers(hosts, 16).tolist()
@@ -320,7 +320,7 @@ def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[F
     """Yield hosts that receive announcements, but no unicast."""
     hosts, tried = np.array(reach.hosts, object), reach.unicast_tried & reach.observable
     apart = reach.multicast_ok & tried & ~reach.unicast_ok
-    if not apart.any() or obs.quality.recorded_time < LIMITS.timeout:
+    if not apart.any() or obs.recording.recorded_time < LIMITS.timeout:
         return
     if (apart == apart.T).all():
         kept = apart.any(axis=1)

@@ -86,7 +86,7 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
             if end == "left":
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
-                text = say("crash", host, when, obs.quality.recorded_time)
+                text = say("crash", host, when, obs.recording.recorded_time)
                 endless = np.isinf(obs.processes["lease"].to_numpy()[dead]).any()
                 yield Finding("endless lease" if endless else "crash", (host,), text)
 

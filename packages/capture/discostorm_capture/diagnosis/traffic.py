@@ -157,7 +157,7 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
 
 def network_loop(evidence: Evidence) -> Iterator[Finding]:
     """Report that most multicast packets are duplicates, as in a network with a loop."""
-    if (repeated := evidence.obs.quality.duplicate_multicast_share) > LIMITS.min_loop_share:
+    if (repeated := evidence.obs.recording.duplicate_multicast_share) > LIMITS.min_loop_share:
         yield Finding.of("network loop", (), wording.percent(repeated))
 
 
@@ -358,7 +358,7 @@ def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
         if many and key[:2] not in sent:
             ends = obs.hosts_of((key[0], key[2]))
             pairs[ends] = pairs.get(ends, 0) + len(rows)
-    if pairs and not obs.quality.gaps:
+    if pairs and not obs.recording.gaps:
         asked = [f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()]
         ends = tuple(dict.fromkeys(chain(*pairs)))
         yield Finding("large packets", ends, say("large samples", asked))

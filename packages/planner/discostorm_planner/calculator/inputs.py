@@ -18,7 +18,7 @@ from discostorm.wifi.radio import aggregation_bounds
 from discostorm_planner import change_simulation, discovery_time, simulation_jobs
 from discostorm_planner.answer_text import MAX_SHOWN_CHANGES
 from discostorm_planner.calculator.javascript import JsValue
-from discostorm_planner.discovery_time import MIN_EXPIRED, MIN_PAIRS, RUNS
+from discostorm_planner.discovery_time import MIN_EXPIRED_PER_PAIR, MIN_PAIRS, RUNS
 
 #: Channels to choose from: one entry per radio, with or without aggregation.
 CHANNELS = (ds.PAPER, *ds.WIFI.values())
@@ -164,7 +164,7 @@ def simulation_limits() -> JsValue:
         "many_lost": change_simulation.MAX_BOUND_LOSS,
         "few_lost": change_simulation.CAUTION_LOSS,
         "min_gain": discovery_time.MIN_RELATIVE_GAIN,
-        "many_expired": MIN_EXPIRED,
+        "many_expired": MIN_EXPIRED_PER_PAIR,
         "other_software": [*sorted(change_simulation.SOFTWARE_EFFORTS)],
         "too_large": simulation_jobs.TOO_LARGE,
         "shown": MAX_SHOWN_CHANGES,

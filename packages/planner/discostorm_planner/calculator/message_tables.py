@@ -63,7 +63,7 @@ def message_row(
         "per_unit": message.per_unit,
         "hops": " ".join(message.hops),
         "sent": {
-            "burst": schedule.extra,
+            "burst": schedule.burst_count,
             **{name: schedule.mean(window) for name, window in windows.items()},
         },
     }

@@ -111,7 +111,7 @@ def _change_rows(protocol: Protocol, ros: str | None = None) -> JsValue:
             change.what,
             change.note,
             table_name_of_change(protocol, change),
-            (change.base or protocol).name,
+            (change.baseline or protocol).name,
             " and ".join(change.steps),
         ]
         for change in table_replacements(protocol, ros)
