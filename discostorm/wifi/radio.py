@@ -104,7 +104,7 @@ class Radio(_DerivedQuantities):
             "cw_min": int(parts.timing["cw_min"]),
             "cw_max": int(parts.timing["cw_max"]),
             "multicast_preamble": float(Fraction(parts.basic["preamble_us"]) / MICRO),
-            "signal_extension": float(parts.extension / MICRO),
+            "signal_extension": float(parts.signal_extension / MICRO),
             "rate": float(parts.bits_exact / parts.symbol * MEGA),
             "basic_rate": float(parts.basic["rate_Mbit_s"]) * MEGA,
         }
@@ -161,14 +161,14 @@ class Radio(_DerivedQuantities):
     def wifi(self) -> Wifi:
         """Return the channel of the closed form; with aggregation if `mpdus` is above 1.
 
-        The overhead of a unicast frame is AIFS, a back-off of half of CWmin slots (the mean of a
-        single station), preamble, SIFS and ACK; that of a multicast frame the first three.
+        A unicast frame has as overhead AIFS, a back-off of half of CWmin slots (the mean of a
+        single station), preamble, SIFS and ACK. A multicast frame lacks SIFS and ACK.
         """
         parts = self._standard_parameters
         # Microseconds as fractions, so that the sums are exact.
         waiting = parts.aifs + Fraction(parts.timing["cw_min"]) / 2 * parts.slot
-        answered = waiting + parts.preamble + parts.extension + parts.sifs + parts.extension
-        extended = parts.extension if parts.basic["extended"] == "yes" else 0
+        answered = waiting + parts.preamble + parts.sifs + 2 * parts.signal_extension
+        extended = parts.signal_extension if parts.basic["extended"] == "yes" else 0
         to_all = waiting + Fraction(parts.basic["preamble_us"]) + extended
         unicast = Link(self.rate, float((answered + parts.ack) / MICRO), self.padding)
         multicast = Link(self.basic_rate, float(to_all / MICRO), self.multicast_padding)

@@ -33,7 +33,7 @@ class StandardParameters:
     slot: Fraction
     sifs: Fraction
     aifs: Fraction
-    extension: Fraction
+    signal_extension: Fraction
     preamble: Fraction
     symbol: Fraction
     grid: Fraction
@@ -128,7 +128,7 @@ def standard_parameters(
         slot=slot,
         sifs=sifs,
         aifs=sifs + int(aifsn) * slot,
-        extension=Fraction(timing["signal_extension_us"]),
+        signal_extension=Fraction(timing["signal_extension_us"]),
         preamble=_preamble_duration(standard, training_fields, Fraction(symbols["ltf_us"])),
         symbol=Fraction(symbols["symbol_us"]),
         grid=Fraction(symbols["grid_us"]),

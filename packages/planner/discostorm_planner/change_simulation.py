@@ -162,7 +162,7 @@ class DiscoveryResult:
 
     @property
     def possibly_sufficient(self) -> tuple[SimulatedChange, ...]:
-        """The changes of which no repairs were simulated, and that may be enough."""
+        """The changes that may suffice, although their repairs were not simulated."""
         timed = [(c, c.time) for c in self.changes if c.time and c.time.is_lower_bound]
         return tuple(c for c, t in timed if t.lost < MAX_BOUND_LOSS and t.median <= self.within)
 

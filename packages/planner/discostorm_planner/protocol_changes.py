@@ -37,7 +37,7 @@ def protocol_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Cha
 
 
 def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | str]:
-    """Yield other configurations of products; with the paper's counts, beside measured tables."""
+    """Yield other configurations of products; for the paper's counts, compare measured tables."""
     for row in rules.configuration_rules():
         table, product = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
         if table is None or rules.same_table(table, protocol):
