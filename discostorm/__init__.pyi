@@ -1,22 +1,23 @@
 from discostorm import (
     data as data,
+    drain_times as drain_times,
     figures as figures,
     fleet as fleet,
     flows as flows,
-    measured as measured,
     messages as messages,
     model as model,
     notation as notation,
+    prediction_error as prediction_error,
     protocols as protocols,
     robots as robots,
     saturation as saturation,
     snippets as snippets,
-    timeline as timeline,
     uncertainty as uncertainty,
     wifi as wifi,
 )
 from discostorm._numeric import lambdify as lambdify
 from discostorm.cells import Cell as Cell
+from discostorm.drain_times import drain_time as drain_time
 from discostorm.figures.parameter_sweep import sweep as sweep
 from discostorm.fleet import Fleet as Fleet, HostGroup as HostGroup, Process as Process
 from discostorm.messages import (
@@ -38,7 +39,6 @@ from discostorm.model import (
 )
 from discostorm.protocols import DDS as DDS, PROTOCOLS as PROTOCOLS, ZENOH as ZENOH
 from discostorm.saturation import saturation_hosts as saturation_hosts
-from discostorm.timeline import drain_time as drain_time
 from discostorm.uncertainty import bounds as bounds, sensitivity as sensitivity
 from discostorm.wifi import (
     PAPER as PAPER,

@@ -24,7 +24,7 @@ MIN_SECONDS, MAX_SECONDS = 1e-9, 1e6
 #: Largest utilization to solve for: its powers still fit a float64.
 MAX_UTILIZATION = 1e100
 #: Longest name or path that a message repeats in full [characters].
-_MAX_NAME = 200
+_MAX_SHOWN = 200
 
 
 def short_repr(value: Any) -> str:
@@ -34,7 +34,7 @@ def short_repr(value: Any) -> str:
 
 def shorten_name(text: str) -> str:
     """Return a name or a path; leave out its middle if the text is too long for a message."""
-    return text if len(text) <= _MAX_NAME else f"{text[: _MAX_NAME // 2]}...{text[-20:]}"
+    return text if len(text) <= _MAX_SHOWN else f"{text[: _MAX_SHOWN // 2]}...{text[-20:]}"
 
 
 def shorten_repr(text: str) -> str:
@@ -64,7 +64,7 @@ def describe_range(
 
 
 def _has_no_mask_or_labels(value: Any) -> bool:
-    """Return whether NumPy keeps all of a value: no mask, no labels, also inside of lists."""
+    """Return whether a value, or any element of a list, has neither a mask nor labels."""
     if isinstance(value, (list, tuple)):
         return set(map(type, value)) <= {int, float} or all(map(_has_no_mask_or_labels, value))
     return not (isinstance(value, np.ma.MaskedArray) or hasattr(value, "to_numpy"))
@@ -85,7 +85,7 @@ def _real_numbers(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
             and all(isinstance(item, Real) and not isinstance(item, bool) for item in given.flat)
         ):
             return given
-    except Exception as error:  # whatever the type of another library raises
+    except Exception as error:  # types of other libraries may raise any error
         kind = ValueError if isinstance(error, ValueError) else TypeError  # rows of unlike lengths
     raise kind(f"{name} must be {allowed}; got {short_repr(value)}")
 
@@ -102,7 +102,7 @@ def numbers(
     scalar: bool = False,
 ) -> float | NDArray[np.float64]:
     """Return numbers in the range as float64, a single number as a float; else raise an error."""
-    # Nearly all calls give a plain number in the range.
+    # A shortcut, because nearly all calls give a plain number in the range.
     if type(value) in (float, int) and (
         low < value < min(high, sys.float_info.max)  # type: ignore[operator]
         or (value == low and not exclusive_min)
@@ -129,7 +129,7 @@ def number(name: str, value: Any, low: float, high: float = np.inf, **ends: bool
 
 
 @contextmanager
-def errors_of(what: str) -> Iterator[None]:
+def prefix_errors(what: str) -> Iterator[None]:
     """Prefix the errors of a ``with`` block with the name of the refused object."""
     try:
         yield

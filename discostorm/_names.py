@@ -7,16 +7,17 @@ from typing import Any, TypeVar
 Item = TypeVar("Item")
 
 
-def key(name: str) -> str:
-    """Return the letters and digits of a name in lower case, which every spelling shares."""
+def normalize(name: str) -> str:
+    """Return a name's letters and digits in lower case, the same for each spelling."""
     return "".join(filter(str.isalnum, name.casefold()))
 
 
 def nearest_name(name: str, valid: Iterable[str]) -> str | None:
     """Return the valid name that begins with this name or is most similar; None if none is near."""
-    by_key = {key(full): full for full in valid}
-    longer = sorted((k for k in by_key if key(name) and k.startswith(key(name))), key=len)
-    matches = longer or get_close_matches(key(name), by_key, n=1)
+    by_key = {normalize(full): full for full in valid}
+    wanted = normalize(name)
+    longer = sorted((k for k in by_key if wanted and k.startswith(wanted)), key=len)
+    matches = longer or get_close_matches(wanted, by_key, n=1)
     return by_key[matches[0]] if matches else None
 
 
@@ -29,7 +30,7 @@ def did_you_mean(name: str, valid: Iterable[str]) -> str:
 def check_keys(
     table: Any, valid: Iterable[str], needed: str, places: Mapping[str, str] | None = None
 ) -> None:
-    """Raise a ValueError for a key that is not valid, with the nearest key or the key's place."""
+    """Raise a ValueError for an invalid key; name the nearest key, or where the key belongs."""
     from discostorm import _checks  # here, as it loads NumPy
 
     if not isinstance(table, dict):
@@ -81,8 +82,8 @@ class Catalog(Mapping[str, Item]):
         """Return the item of a name or alias, in any case, with any hyphens and spaces."""
         if not isinstance(name, str):
             raise TypeError(f"{self._what} must be a str; got {name!r}")
-        spelled = {key(alias): full for alias, full in self._aliases.items()}
-        full_name = (spelled | {key(full): full for full in self._items}).get(key(name))
+        spelled = {normalize(alias): full for alias, full in self._aliases.items()}
+        full_name = (spelled | {normalize(full): full for full in self._items}).get(normalize(name))
         if full_name is None:
             raise self._unknown(name)
         return self._items[full_name]

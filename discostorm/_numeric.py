@@ -17,13 +17,13 @@ Value = float | NDArray[np.float64]
 
 
 def int_if_integral(number: Any) -> Any:
-    """Return a whole float as an int, so that expressions show no floats without need."""
+    """Return a float with an integer value as an int, so that expressions show 2, not 2.0."""
     return int(number) if isinstance(number, float) and number.is_integer() else number
 
 
 def hide_rounded(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
-    """Return an expression with a symbol for each rounded part, and the parts by their symbols."""
-    # Left as written, as a ratio times a reciprocal may be rounded up by a rounding error.
+    """Replace each rounded part of an expression by a symbol; return it and the parts by symbol."""
+    # Rounded parts stay as written: if they were rearranged, an error could round them up.
     hidden: dict[sp.Expr, sp.Symbol] = {}
     parts = sp.preorder_traversal(expression)
     for part in parts:
@@ -133,7 +133,7 @@ class Polynomial:
 
     coefficients: tuple[Value, ...]
 
-    #: Tells NumPy's arrays to leave arithmetic with it to the methods below.
+    #: Makes NumPy arrays use the methods below for arithmetic with polynomials.
     __array_ufunc__ = None
 
     def __add__(self, other: Any) -> "Polynomial":

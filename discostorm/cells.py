@@ -33,7 +33,7 @@ class Cell:
 
     def __post_init__(self) -> None:
         _checks.nonblank("name", self.name)
-        with _checks.errors_of(f"cell {_checks.shorten_name(self.name)!r}"):
+        with _checks.prefix_errors(f"cell {_checks.shorten_name(self.name)!r}"):
             object.__setattr__(self, "wifi", as_wifi(self.wifi))
             if self.channel is not None:
                 _checks.integer("channel", self.channel, 1, MAX_CHANNEL)
@@ -55,20 +55,20 @@ def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) 
         if name not in [of for _, of, _ in groups]:
             raise ValueError(f"cell {name!r} must be used by a group; no group names it")
     for one, other in combinations([cell for cell in cells if cell.channel is not None], 2):
-        (band, low, high), (also, least, most) = _numbers(one), _numbers(other)
+        (band, low, high), (also, least, most) = _band_and_channels(one), _band_and_channels(other)
         if band == also and low <= most and least <= high:
             named = [f"{cell.name} (channel {cell.channel})" for cell in (one, other)]
             raise ValueError(f"{' and '.join(named)} share airtime: make them one cell")
 
 
-def _numbers(cell: Cell) -> tuple[float, float, float]:
+def _band_and_channels(cell: Cell) -> tuple[float, float, float]:
     """Return the band of a cell [GHz], and the first and last channel number that it covers."""
     radio, number = as_wifi(cell.wifi).radio, cell.channel or 0
     band, width = (radio.carrier or 0.0, radio.width) if radio else (0.0, 20e6)
     for row in read_data("wifi/channel_numbers.csv"):
         ghz, first, last, step, fixed = (float(row[name]) for name in [*row][:5])
         if (ghz == 6) == (band == 6e9) and first <= number <= last:
-            if not fixed:  # 40 MHz have four more numbers below or above, wherever there are any
+            if not fixed:  # a 40 MHz channel extends upwards or downwards
                 more = (step - 1) * (width / 20e6 - 1)
                 below, above = number - more >= first, number + more <= last
                 return ghz, number - more * below, number + more * above + step - 1

@@ -17,7 +17,7 @@ PIPE_WAIT_S = 2.0
 
 
 def atomic_write(path: Path, content: bytes) -> None:
-    """Replace the content of a file, or leave the file as it is.
+    """Replace the whole content of a file; if that fails, leave the file unchanged.
 
     Links are followed, and the file keeps its mode and owner. A device, a pipe, or the file that
     this program prints to is written in place: replacing it would remove it for other programs.
@@ -47,7 +47,7 @@ def _write_and_rename(path: Path, status: os.stat_result | None, content: bytes)
     part = path.with_name(f".{path.name}.{os.getpid()}.part")
     part.unlink(missing_ok=True)
     try:
-        part.touch(exist_ok=False)  # not through a link that somebody else put there
+        part.touch(exist_ok=False)  # do not follow a link of another user
         if status is not None:
             if not os.access(path, os.W_OK):
                 raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
@@ -110,7 +110,7 @@ def open_input(path: str | os.PathLike[str]) -> BinaryIO:
 
 
 def json_ready(value: Any) -> Any:
-    """Return a value for JSON: lists of arrays, None for infinity and NaN, also in lists."""
+    """Return a value for JSON: arrays become lists, infinity and NaN become None."""
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, Mapping):

@@ -35,7 +35,7 @@ from discostorm.ros2_endpoints import likely_shared
 from discostorm.ros_releases import distribution_name
 
 #: Maximum number of symbolic groups; more groups make very long expressions.
-_MAX_SYMBOLIC = 1000
+_MAX_SYMBOLIC_GROUPS = 1000
 
 
 @dataclass(frozen=True, repr=False)
@@ -118,9 +118,9 @@ class Fleet:
     @classmethod
     def symbolic(cls, groups: int, matching: float = 0.0) -> "Fleet":
         """Return a fleet of symbolic groups; one group has the paper's N_H, N_P and N_E."""
-        _checks.integer("groups", groups, 1, _MAX_SYMBOLIC)
+        _checks.integer("groups", groups, 1, _MAX_SYMBOLIC_GROUPS)
         if groups == 1:
-            return cls(SWARM.groups, matching)
+            return cls(PAPER_SWARM.groups, matching)
         return cls(tuple(symbolic_group(index) for index in range(1, int(groups) + 1)), matching)
 
     @classmethod
@@ -194,7 +194,7 @@ class Fleet:
 
     def _count_remote(self, counted: list[bool]) -> list[Count]:
         """Count remote processes in ``counted`` groups, as seen from a process of each group."""
-        # Sums of the groups before and after, as a difference from the total would cancel.
+        # Add the other groups; to subtract a group from the total would lose digits.
         of = [n if yes else 0 for n, yes in zip(self.processes_per_group, counted, strict=True)]
         before = list(accumulate(of[:-1], initial=0))
         after = list(accumulate(of[:0:-1], initial=0))[::-1]
@@ -355,4 +355,4 @@ def reject_symbols_and_cells(fleet: Fleet) -> None:
 
 
 #: The paper's swarm in symbols: every host runs N_P processes of N_E endpoints.
-SWARM = Fleet.swarm(nt.N_H, nt.N_P, nt.N_E)
+PAPER_SWARM = Fleet.swarm(nt.N_H, nt.N_P, nt.N_E)

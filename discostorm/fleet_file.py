@@ -21,7 +21,7 @@ _TOP_KEYS = ("groups", "matching", "ros", "within", "domain", "addresses", "secu
 _GROUP_KEYS = (*COUNTS, *("robot", "name", "nodes", "shared", "own_types", "wired", "data", "cell"))
 
 #: Where keys belong that may be written elsewhere.
-_PLACES = (
+_KEY_PLACES = (
     dict.fromkeys(_TOP_KEYS, "above the groups")
     | dict.fromkeys(_GROUP_KEYS, "below [[groups]]")
     | {"wifi": "below [[cells]], or give --wifi to the command; '--wifi list' lists radios"}
@@ -54,12 +54,12 @@ def error_context(number: int, table: Any, what: str = "group") -> AbstractConte
     """Begin errors with the number and name of the group, or of the topic, that they concern."""
     label = table.get("name") or table.get("topic") if isinstance(table, dict) else None
     name = f" ({label})" if label else ""
-    return _checks.errors_of(f"{what} {number}{_checks.shorten_name(name)}")
+    return _checks.prefix_errors(f"{what} {number}{_checks.shorten_name(name)}")
 
 
 def check_tables(tables: dict[str, Any]) -> None:
     """Raise an error unless keys and types are those of a fleet file; remove ``security``."""
-    _names.check_keys(tables, _TOP_KEYS, "groups", _PLACES)
+    _names.check_keys(tables, _TOP_KEYS, "groups", _KEY_PLACES)
     if tables.pop("security", False) is not False:
         raise ValueError(f"security must be false, as {' '.join(security_warning())[:-1]}")
     groups = tables.get("groups")
@@ -85,7 +85,7 @@ def check_tables(tables: dict[str, Any]) -> None:
 
 
 def _is_address(address: Any) -> bool:
-    """Return whether it is an IP address, or a host name that does not look like one."""
+    """Return whether a text is an IP address, or a host name that does not resemble one."""
     with suppress(ValueError):
         return bool(ipaddress.ip_address(str(address)))
     name = r"(?=.*[^\d.])(?!-)[\w-]+(\.[\w-]+)*"
@@ -98,7 +98,7 @@ def _check_cells(tables: dict[str, Any]) -> None:
         raise TypeError(f"cells must be tables [[cells]]; got {_checks.short_repr(cells)}")
     for number, table in enumerate(cells, start=1):
         with error_context(number, table, "cell"):
-            _names.check_keys(table, ("name", "wifi", "channel"), "name and wifi", _PLACES)
+            _names.check_keys(table, ("name", "wifi", "channel"), "name and wifi", _KEY_PLACES)
             for key in ("name", "wifi"):
                 if not isinstance(table.get(key), str):
                     got = _checks.short_repr(table.get(key))
@@ -120,7 +120,7 @@ def security_warning() -> tuple[str, str]:
 
 
 def _check_group(table: Any) -> None:
-    _names.check_keys(table, _GROUP_KEYS, ", ".join(COUNTS), _PLACES)
+    _names.check_keys(table, _GROUP_KEYS, ", ".join(COUNTS), _KEY_PLACES)
     sizes = table.get("processes")
     are_tables = isinstance(sizes, list) and all(isinstance(size, dict) for size in sizes)
     given_by = "robot" if "robot" in table else "processes" if are_tables and sizes else ""
@@ -150,7 +150,7 @@ def _check_process_sizes(sizes: Any) -> None:
     least = {"count": 1, "endpoints": 0}
     for number, size in enumerate(sizes, start=1):
         with error_context(number, size, "processes"):
-            _names.check_keys(size, least, "count and endpoints", _PLACES)
+            _names.check_keys(size, least, "count and endpoints", _KEY_PLACES)
             _check_counts(size, least)
             for key, minimum in least.items():
                 _checks.integer(key, size[key], minimum, _checks.MAX_COUNT)

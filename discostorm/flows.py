@@ -12,7 +12,7 @@ Receivers = Literal["one host", "wired host", "all others", "multicast"]
 #: Allowed rates [Hz] and sizes [B].
 _RANGES = {"rate": (1e-6, 1e6), "bytes": (0.0, 1e8)}
 #: Allowed keys of a table of a fleet file.
-KEYS = ("topic", "to", "rate", "bytes", "reliable")
+FLOW_KEYS = ("topic", "to", "rate", "bytes", "reliable")
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ def flow(topic: str, to: Receivers, **own: Any) -> Flow:
 
 def flow_from_table(table: Any) -> Flow:
     """Return the flow of a table ``[[groups.data]]`` in a fleet file."""
-    _names.check_keys(table, KEYS, "topic and to")
+    _names.check_keys(table, FLOW_KEYS, "topic and to")
     for key, allowed in (("topic", "a text"), ("to", " or ".join(map(repr, get_args(Receivers))))):
         if key not in table:
             raise ValueError(f"{key} is missing; it must be {allowed}")

@@ -98,7 +98,8 @@ class HostGroup:
     def __post_init__(self) -> None:
         for name, kind in (("name", str), ("wired", bool), ("cell", str)):
             _checks.instance(name, getattr(self, name), kind)
-        with _checks.errors_of(f"group {_checks.shorten_name(self.name)!r}" if self.name else ""):
+        group = f"group {_checks.shorten_name(self.name)!r}" if self.name else ""
+        with _checks.prefix_errors(group):
             self._check()
 
     def _check(self) -> None:
@@ -138,7 +139,7 @@ class HostGroup:
                 raise ValueError(f"hosts must be one number if data are given; got {self.hosts}")
 
     def _set_process_sizes(self) -> None:
-        """Count a list of processes; drop a list that other counts have replaced."""
+        """Set the counts from a list of processes; drop the list if other counts replaced it."""
         listed, known = self.processes, self.process_sizes
         if isinstance(listed, (tuple, list)) and any(isinstance(size, Process) for size in listed):
             sizes = _checks.tuple_of("processes", tuple(listed), Process)
@@ -197,7 +198,7 @@ def is_symbolic(value: Any) -> bool:
 
 def _hashable_value(value: Any) -> Any:
     """Return a value that compares and hashes by content, also for an array."""
-    # A sum, as zeros may be negative.
+    # Adding 0.0 makes negative zeros positive.
     return (value.shape, (value + 0.0).tobytes()) if isinstance(value, np.ndarray) else value
 
 

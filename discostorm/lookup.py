@@ -16,7 +16,7 @@ from discostorm.wifi.radio import AnyWifi as AnyWifi, as_wifi as as_wifi
 
 #: A protocol, or its name such as "fastdds".
 AnyProtocol: TypeAlias = Protocol | str
-#: Units of messages that a server forwards on a match; the same if it forwards everything.
+#: Units of messages that a server forwards on a match, with those if it forwards everything.
 _FORWARDED = {
     UNITS["ordered pair of matched processes"]: UNITS["ordered pair of processes"],
     UNITS["matched endpoint and other process"]: UNITS["endpoint and other process"],
@@ -32,8 +32,8 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
     if isinstance(protocol, str):
         table = PROTOCOLS.find(protocol)
         rows = read_data("vendors/aliases.csv")
-        exact = [_names.key(row["alias"]) for row in rows if row["exact"] == "yes"]
-        if ros is None and _names.key(protocol) in exact:
+        exact = [_names.normalize(row["alias"]) for row in rows if row["exact"] == "yes"]
+        if ros is None and _names.normalize(protocol) in exact:
             return table
         table = PROTOCOLS[shipped_table(table.name, ros)]
         if has_server(table) and table.family == "DDS":

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Value, compile_function, evaluate, factor_out_common
-from discostorm.fleet import COUNTS, SWARM, Fleet, as_fleet, reject_symbols_and_cells
+from discostorm.fleet import COUNTS, PAPER_SWARM, Fleet, as_fleet, reject_symbols_and_cells
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.messages import (
     DATA,
@@ -168,8 +168,8 @@ def burst(
     True
     """
     fleet = as_fleet(hosts, processes, endpoints)
-    seconds, extra = partial(_hop_seconds, wifi=as_wifi(wifi)), attrgetter("extra")
-    costs = as_protocol(protocol).sum_by_unit(seconds, extra, by_hop=fleet.has_wired)
+    seconds, burst_count = partial(_hop_seconds, wifi=as_wifi(wifi)), attrgetter("burst_count")
+    costs = as_protocol(protocol).sum_by_unit(seconds, burst_count, by_hop=fleet.has_wired)
     return weighted_sum(costs, fleet)
 
 
@@ -188,7 +188,7 @@ def unit_costs(
     protocol.of_phase(phase)  # raises if there is none
     window_s = checked_window(window)
     if isinstance(window_s, float):
-        return dict(_kept_costs(protocol, wifi, phase, window_s, by_hop))
+        return dict(_cached_costs(protocol, wifi, phase, window_s, by_hop))
     return _mean_costs(protocol, wifi, phase, window_s, by_hop)
 
 
@@ -199,7 +199,7 @@ def _mean_costs(
     return protocol.sum_by_unit(partial(_hop_seconds, wifi=wifi), times, phase, by_hop)
 
 
-_kept_costs = lru_cache(maxsize=4096)(_mean_costs)
+_cached_costs = lru_cache(maxsize=4096)(_mean_costs)
 
 
 def _hop_seconds(message: Message, hop: Hop, wifi: Wifi) -> float:
@@ -253,7 +253,7 @@ def _swarm_function(
     """Return the weighted sum of units as a function of counts, shared, unknown types, costs."""
     extras = sp.symbols("N_S N_T", nonnegative=True)
     shared, unknown = (symbol if yes else 0.0 for symbol, yes in zip(extras, has, strict=True))
-    swarm = Fleet((replace(SWARM.groups[0], shared=shared, own_types=unknown),), matching)
+    swarm = Fleet((replace(PAPER_SWARM.groups[0], shared=shared, own_types=unknown),), matching)
     costs = sp.symbols(f"c:{len(units)}", positive=True)
     total = sp.Add(*(cost * unit.count(swarm) for cost, unit in zip(costs, units, strict=True)))
     return compile_function((*swarm.counts(), *extras, *costs), factor_out_common(total))

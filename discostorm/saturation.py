@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, Value
-from discostorm.fleet import SWARM, Fleet, as_fleet, reject_symbols_and_cells, symbolic_group
+from discostorm.fleet import PAPER_SWARM, Fleet, as_fleet, reject_symbols_and_cells, symbolic_group
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol
 from discostorm.messages import PAPER_WINDOW
 from discostorm.model import unit_costs, weighted_polynomial, weighted_sum
@@ -173,8 +173,8 @@ def saturation(
     """
     protocol = as_protocol(protocol)
     others = (symbolic_group(index) for index in range(1, other_groups + 1))
-    fleet = Fleet((*SWARM.groups, *others))
-    # Solved with one symbol for the cost of each unit, which has many terms.
+    fleet = Fleet((*PAPER_SWARM.groups, *others))
+    # Solve with one symbol for the cost of each unit, because costs have many terms.
     costs = protocol.costs(None, model, window)
     symbols = {sp.Dummy(positive=True): unit for unit, cost in costs.items() if cost != 0}
     total = sp.Add(*(symbol * unit.count(fleet) for symbol, unit in symbols.items()))

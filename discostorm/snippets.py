@@ -1,7 +1,7 @@
 """Configuration to copy for a remedy: pieces, each for a version of a product.
 
-``data/vendors/snippets.csv`` has for each file of ``data/vendors/snippets/`` its remedy, place,
-loading and source, the hosts that need it, and whether a test has its product load it.
+``data/vendors/snippets.csv`` lists the files of ``data/vendors/snippets/``: remedy, place, loading,
+source, the hosts that need the file, and whether a test has its product load it.
 """
 
 import re
@@ -12,14 +12,14 @@ from typing import Any
 
 from discostorm.data import data_path, read_data
 
-_NOT_RUN = "not run here: compared with its documentation"
+_NOT_RUN_NOTE = "not run here: compared with its documentation"
 #: Patterns: a sample server, a listed sample robot, and in `load` the file and its variable.
-_SERVER = r"192\.168\.1\.1([01])\b"
-_ROBOT = r'( *<Peer Address="|"tcp/|)192\.168\.1\.2\d("/>|:7447"|)'
-_SAVED = re.compile(r"save (?:as|in) ([\w./]+)")
-_RUNS_WITH = re.compile(r"(?:process|router)[^;]* runs with (\w+)=([\w./:]+)(?:.*: (\w+)\))?")
+_SERVER_PATTERN = r"192\.168\.1\.1([01])\b"
+_ROBOT_PATTERN = r'( *<Peer Address="|"tcp/|)192\.168\.1\.2\d("/>|:7447"|)'
+_SAVED_PATH = re.compile(r"save (?:as|in) ([\w./]+)")
+_VARIABLE = re.compile(r"(?:process|router)[^;]* runs with (\w+)=([\w./:]+)(?:.*: (\w+)\))?")
 #: How a comment begins and ends, by the suffix of the file; else as in a shell.
-_COMMENTS = {"xml": ("<!-- ", " -->"), "json5": ("// ", ""), "cpp": ("// ", "")}
+_COMMENT_MARKS = {"xml": ("<!-- ", " -->"), "json5": ("// ", ""), "cpp": ("// ", "")}
 
 
 @dataclass(frozen=True)
@@ -38,26 +38,26 @@ class Snippet:
     @property
     def text(self) -> str:
         """The configuration text, below comments on its version, file path and loading."""
-        begin, end = _COMMENTS.get(self.file.rpartition(".")[2], ("# ", ""))
+        begin, end = _COMMENT_MARKS.get(self.file.rpartition(".")[2], ("# ", ""))
         begun = f"{self.where} ({'tested with ' * self.run_here}{self.version})"
         comments = [begun, *textwrap.wrap(f"Load: {self.load}", 90)]
-        comments += [] if self.run_here else [_NOT_RUN.capitalize()]
+        comments += [] if self.run_here else [_NOT_RUN_NOTE.capitalize()]
         content = data_path(f"vendors/snippets/{self.file}").read_text(encoding="utf-8")
         return "".join(f"{begin}{line}{end}\n" for line in comments) + content
 
     @property
     def path(self) -> str | None:
         """The path of its file on a host; None for shell commands."""
-        saved = _SAVED.search(self.load)
+        saved = _SAVED_PATH.search(self.load)
         return saved[1] if saved else None
 
     def filled(self, servers: Sequence[str], robots: Sequence[str]) -> str:
         """Return the text with these addresses in place of the sample servers and robots."""
         text = self.text
-        found = [*re.finditer(_ROBOT, text)]
+        found = [*re.finditer(_ROBOT_PATTERN, text)]
         if not found:  # no piece lists both
             given = dict(zip("01", servers, strict=False))
-            return re.sub(_SERVER, lambda sample: given.get(sample[1], sample[0]), text)
+            return re.sub(_SERVER_PATTERN, lambda sample: given.get(sample[1], sample[0]), text)
         (first, *_, last), (before, after) = found, found[0].groups()
         listed = text[first.end() : found[1].start()].join(f"{before}{r}{after}" for r in robots)
         rest = text[last.end() :]
@@ -67,12 +67,12 @@ class Snippet:
         """Return the environment variables that a text of this piece sets."""
         if self.path is None:
             return dict(re.findall(r'^export (\w+)="?([^"\n]*)"?$', text, re.MULTILINE))
-        named = _RUNS_WITH.search(self.load)
+        named = _VARIABLE.search(self.load)
         return {name: named[2] for name in (named[1], named[3]) if name} if named else {}
 
     def to_dict(self) -> dict[str, Any]:
         """Return the keys of a piece in JSON."""
-        checked = "loaded by the product in a test" if self.run_here else _NOT_RUN
+        checked = "loaded by the product in a test" if self.run_here else _NOT_RUN_NOTE
         keys = {name: getattr(self, name) for name in ("where", "version", "load")}
         return keys | {"checked": checked, "text": self.text}
 

@@ -72,7 +72,7 @@ def parameter_ranges(
 ) -> dict[sp.Symbol, Range]:
     """Return the range of every parameter that a protocol's utilization depends on.
 
-    From symbol to (low, high) in bytes, seconds or bit/s; ``given`` replaces assumed ranges.
+    Symbols map to (low, high) in bytes, seconds or bit/s. ``given`` replaces assumed ranges.
     """
     protocol = as_protocol(protocol)
     ranges = {m.payload_symbol: (m.payload.low, m.payload.high) for m in protocol.messages}
@@ -94,7 +94,7 @@ def derivative_signs(protocol: AnyProtocol, phase: str | None = None) -> dict[sp
     """Return the sign of the derivative of utilization by each parameter: 1 or -1.
 
     Counts are never negative, so utilization is monotone for every fleet if the cost of each unit
-    is monotone. If one is not, a ValueError says so.
+    is monotone. Raise a ValueError if the cost of a unit is not.
     """
     protocol = as_protocol(protocol)
     costs = list(protocol.costs(phase).values())
@@ -113,7 +113,7 @@ def derivative_signs(protocol: AnyProtocol, phase: str | None = None) -> dict[sp
 def _extreme_parameters(
     protocol: AnyProtocol, phase: str | None, given: GivenRanges | None
 ) -> tuple[Values, Values]:
-    """Return the values of all parameters of minimal utilization, and of maximal."""
+    """Return the parameters' values for minimal utilization, and for maximal utilization."""
     signs = derivative_signs(protocol, phase)
     ends = {
         symbol: (high, low) if signs.get(symbol) == -1 else (low, high)

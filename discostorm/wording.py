@@ -7,13 +7,13 @@ import textwrap
 #: Threshold from which numbers are shown with a power of ten [1 or s].
 HUGE = 1e6
 #: Notes: on a fleet of one host, on a fleet without Wi-Fi, and on a radio that aggregates.
-ALONE = "A single host has no one to discover, and no other host receives its messages."
-ALL_WIRED = "All hosts are wired; discovery needs no airtime."
-AGGREGATES = (
+LONE_HOST_NOTE = "A single host has no one to discover, and no other host receives its messages."
+ALL_WIRED_NOTE = "All hosts are wired; discovery needs no airtime."
+AGGREGATION_NOTE = (
     "This radio aggregates: the answer lies between one frame in each exchange and full A-MPDUs."
 )
 #: The tcpdump command that captures all discovery traffic; the chapter on captures explains it.
-RECORD = "tcpdump -i wlan0 -s 0 -w {file} 'udp or ip6 or (tcp and not port 22)'"
+TCPDUMP = "tcpdump -i wlan0 -s 0 -w {file} 'udp or ip6 or (tcp and not port 22)'"
 
 
 def below_capacity(utilization: float) -> bool:
@@ -38,7 +38,7 @@ def percent(share: float, decimals: int = 0, below_prefix: str = "just below ") 
 
 
 def format_load(utilization: float, to: str, capacity: str) -> str:
-    """Return a load in percent, or a load of ten capacities and more as a multiple."""
+    """Return a load in percent, from ten times the capacity on as a multiple."""
     if utilization < 10:
         return f"{percent(utilization)} {to}"
     times = f"{utilization:.3g}" if utilization >= HUGE else f"{float(f'{utilization:.3g}'):,g}"
@@ -51,7 +51,7 @@ def format_share(share: float) -> str:
 
 
 #: Minimum of a time that has a unit, and the length of the unit [s].
-TIMES = (
+TIME_UNITS = (
     (0.0, 1e-6, "µs"),
     (1e-3, 1e-3, "ms"),
     (0.1, 1.0, "s"),
@@ -66,7 +66,7 @@ def duration(time: float) -> str:
     """Return a time with its unit, to two or three digits."""
     if time == 0 or time == math.inf:
         return "indefinitely" if time else "no time"
-    _, length, unit = next(row for row in reversed(TIMES) if abs(time) >= row[0])
+    _, length, unit = next(row for row in reversed(TIME_UNITS) if abs(time) >= row[0])
     value = time / length
     if value >= HUGE:
         return f"{value:.0e} {unit}"
@@ -85,7 +85,7 @@ def _range_with_unit(low: str, high: str) -> str:
     return f"{number if unit and high.endswith(f' {unit}') else low} to {high}"
 
 
-def durations(low: float, high: float, never: str = "indefinitely") -> str:
+def time_range(low: float, high: float, never: str = "indefinitely") -> str:
     """Return a range of times; ``never`` stands for infinity."""
     return _range_with_unit(
         *(_duration_up_to_a_year(end) if math.isfinite(end) else never for end in (low, high))
@@ -93,17 +93,17 @@ def durations(low: float, high: float, never: str = "indefinitely") -> str:
 
 
 def _duration_up_to_a_year(time: float) -> str:
-    """Return a time, whose digits matter only below a year."""
-    return duration(time) if time < TIMES[-1][1] else "more than a year"
+    """Return a time with its unit, from a year on as "more than a year"."""
+    return duration(time) if time < TIME_UNITS[-1][1] else "more than a year"
 
 
-def percents(low: float, high: float) -> str:
+def percent_range(low: float, high: float) -> str:
     """Return a range of shares in percent."""
     return _range_with_unit(percent(low), percent(high))
 
 
-def airtime(utilization: float, window: float) -> str:
-    """Return the airtime of a window with its unit; of an infinite one as a share of the time."""
+def airtime_text(utilization: float, window: float) -> str:
+    """Return the airtime in a window with its unit; for an infinite window the share of time."""
     if math.isinf(window):
         return percent(utilization) + " of the time"
     return _duration_up_to_a_year(utilization * window)
@@ -133,15 +133,15 @@ def capitalized(sentence: str) -> str:
 
 
 #: Units that stay with their number: a regular expression.
-UNIT = r"(?:[mµn]?s|[kMG]?i?B|[MG]?Hz|Mbit/s|(?:second|minute|hour|day|year)s?)(?![\w/])"
+UNIT_PATTERN = r"(?:[mµn]?s|[kMG]?i?B|[MG]?Hz|Mbit/s|(?:second|minute|hour|day|year)s?)(?![\w/])"
 
 
 def no_break_spaces(text: str) -> str:
     """Put a no-break space between each number and its unit."""
-    return re.sub(rf"(?<=\d) (?={UNIT})", "\N{NO-BREAK SPACE}", text)
+    return re.sub(rf"(?<=\d) (?={UNIT_PATTERN})", "\N{NO-BREAK SPACE}", text)
 
 
-def wrapped(line: str, width: int = 79) -> str:
+def wrap(line: str, width: int = 79) -> str:
     """Break a line at a width, but not before a unit; indent an item of a list."""
     indent = "  " if line.startswith("- ") else "    " if re.match(r" |\d+\. ", line) else ""
     lines = textwrap.fill(

@@ -13,7 +13,7 @@ from sphinx.application import Sphinx
 from discostorm import wording
 
 _NAME = r"(?:Wi-Fi|ns-3|[A-Z]{1,3}-[A-Z]+s?|(?:Fig|Sec)\. [\dIV][\w.-]*)\b"
-_WHOLE = re.compile(rf"\b({_NAME}|\d[\d.,]* {wording.UNIT})")
+_WHOLE = re.compile(rf"\b({_NAME}|\d[\d.,]* {wording.UNIT_PATTERN})")
 #: Letters of code up to which it is not parted.
 _SHORT = 12
 _PARTS = re.compile(r"(?<=\w[_/])(?=\w)|(?<=\w)(?=\.\w)")

@@ -15,7 +15,7 @@ from discostorm.wifi import Wifi
 
 
 def _format_count(value: float) -> str:
-    return f"{value:,.0f}" if 10 <= value < wording.HUGE else out.plain(float(f"{value:.2g}"))
+    return f"{value:,.0f}" if 10 <= value < wording.HUGE else out.as_text(float(f"{value:.2g}"))
 
 
 def _format_seconds(value: float) -> str:
@@ -48,7 +48,7 @@ COLUMNS = (
 )
 @output_options
 def breakdown(
-    members: fleets.FleetInput,
+    fleet_input: fleets.FleetInput,
     protocols: tuple[ds.Protocol, ...],
     wifi: Wifi,
     window: float,
@@ -66,7 +66,7 @@ def breakdown(
     """
     with out.bad_input(), out.show_slow_task("computing"):
         _checks.number("--window", window, _checks.MIN_SECONDS, _checks.MAX_SECONDS)
-        channels = fleets.channels_by_cell(members.fleet, wifi)
+        channels = fleets.channels_by_cell(fleet_input.fleet, wifi)
         rows = [
             row
             for each in protocols
@@ -81,12 +81,12 @@ def breakdown(
     sent = [row for row in rows if row["uplink_messages"] or row["downlink_s"]]
     out.print_table(sent or rows if output.for_people else rows, output, columns)
     if output.for_people:
-        fleets.print_channels(members.fleet, wifi, output)
+        fleets.print_channels(fleet_input.fleet, wifi, output)
         payload = math.fsum(row["payload_bytes"] for row in rows) / len(channels)
         out.print_paragraph(
             f"Counted: the messages of the first {window:g} s, with {payload:,.0f} B of payload."
         )
-        fleets.print_fleet_note(members.fleet)
+        fleets.print_fleet_note(fleet_input.fleet)
 
 
 def _message_rows(
@@ -94,7 +94,7 @@ def _message_rows(
 ) -> list[dict[str, Any]]:
     """Return a row for each message: its airtime in the whole window, and its share of all."""
     rows = []
-    costs = message_costs(protocol, fleet, wifi, window)  # in a mean second of the window
+    costs = message_costs(protocol, fleet, wifi, window)  # of an average second
     for message, cost in zip(protocol.messages, costs, strict=True):
         count = float(message.load(fleet)) * float(message.schedule.mean(window)) * window
         for key in ("uplink_messages", "uplink_s", "downlink_s"):

@@ -9,11 +9,11 @@ from discostorm.fleet import COUNTS
 from discostorm.lookup import as_wifi
 
 #: The calculator in the book.
-PAGE = "book/calculator.html"
+CALCULATOR_PAGE = "book/calculator.html"
 
 
 @dataclass(frozen=True)
-class Link:
+class CalculatorLink:
     """A link, and notes on the parts of the fleet that the calculator leaves out."""
 
     address: str
@@ -21,23 +21,23 @@ class Link:
     notes: tuple[str, ...]
 
 
-def calculator_link(fleet: ds.Fleet, middleware: str | None = None) -> Link | None:
-    """Return the link of a fleet, with its largest group as robots; None if all are wired."""
+def calculator_link(fleet: ds.Fleet, middleware: str | None = None) -> CalculatorLink | None:
+    """Return the link for a fleet, with its largest group as the robots; None if all are wired."""
     notes = []
     if wired := sum(group.hosts for group in fleet.groups if group.wired):
         left = "1 is left out" if wired == 1 else f"{wired:g} are left out"
         notes.append(f"the calculator has no wired hosts, so that {left}")
     groups = [group for group in fleet.groups if not group.wired]
     if fleet.cells:
-        groups = _merge_alike(groups)
+        groups = _merge_equal_groups(groups)
         notes.append("the calculator spreads robots evenly over access points of one kind")
     groups = sorted(groups, key=lambda g: -g.hosts)
     if not groups:
         return None
     robots, *others = groups
-    entries = {"robot": "own", **_host_means([robots]), "beside": "own" if others else "none"}
+    entries = {"robot": "own", **_total_and_means([robots]), "beside": "own" if others else "none"}
     if others:
-        entries |= {f"beside_{name}": value for name, value in _host_means(others).items()}
+        entries |= {f"beside_{name}": value for name, value in _total_and_means(others).items()}
     if len(others) > 1:
         notes.append(f"the means of {len(others)} groups stand beside the largest one")
     if middleware is not None:
@@ -48,10 +48,10 @@ def calculator_link(fleet: ds.Fleet, middleware: str | None = None) -> Link | No
         wifi = first if first in ds.WIFI else wifi
         entries["cells"] = str(len(fleet.cells))
     entries |= {"wifi": wifi, "matching": str(int(fleet.matching >= 0.5))}
-    return Link(f"{PAGE}#{urlencode(entries)}", middleware, tuple(notes))
+    return CalculatorLink(f"{CALCULATOR_PAGE}#{urlencode(entries)}", middleware, tuple(notes))
 
 
-def _merge_alike(groups: Sequence[ds.HostGroup]) -> list[ds.HostGroup]:
+def _merge_equal_groups(groups: Sequence[ds.HostGroup]) -> list[ds.HostGroup]:
     """Merge the groups whose hosts have equal numbers of processes and endpoints."""
     alike: dict[tuple[object, ...], ds.HostGroup] = {}
     for group in groups:
@@ -61,7 +61,7 @@ def _merge_alike(groups: Sequence[ds.HostGroup]) -> list[ds.HostGroup]:
     return list(alike.values())
 
 
-def _host_means(groups: Sequence[ds.HostGroup]) -> dict[str, str]:
+def _total_and_means(groups: Sequence[ds.HostGroup]) -> dict[str, str]:
     """Return the hosts, and the means of processes per host and endpoints per process."""
     hosts = sum(group.hosts for group in groups)
     processes = sum(group.hosts * group.processes for group in groups)

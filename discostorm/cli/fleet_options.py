@@ -14,17 +14,17 @@ from discostorm.cli.output import Output, Rows, print_note, print_paragraph
 from discostorm.fleet import HostGroup
 from discostorm.fleet_file import MAX_BYTES
 from discostorm.lookup import as_wifi
-from discostorm.measured import error_band
+from discostorm.prediction_error import error_band
 from discostorm.ros2_endpoints import likely_shared
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY, aggregation_bounds
 
-_MATCHING = (
+_MATCHING_RULE = (
     "Measured models depend on how many endpoints match. We count ROS 2's own topics as shared by "
     "all processes, unless a fleet file sets `shared` (0 without ROS 2)."
 )
 #: Maximum number of tables whose error is printed.
-_MAX_BANDS = 3
+_MAX_PRINTED_ERRORS = 3
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class FleetInput:
 
 
 def channels_by_cell(fleet: ds.Fleet, wifi: Wifi) -> list[tuple[dict[str, str], ds.Fleet, Wifi]]:
-    """Return columns, fleet and channel: once, or for each cell with a column for its name."""
+    """Return extra columns, fleet and channel: once without cells, else for each cell."""
     cells = fleet.by_cell().items()
     seen = [({"cell": cell.name}, of_cell, as_wifi(cell.wifi)) for cell, of_cell in cells]
     return seen or [({}, fleet, wifi)]
@@ -67,20 +67,20 @@ def is_all_wired(fleet: ds.Fleet) -> bool:
 def print_fleet_note(fleet: ds.Fleet) -> None:
     """Say why a fleet of one host, or without Wi-Fi, needs little or no airtime."""
     if is_all_wired(fleet):
-        print_note(wording.ALL_WIRED)
+        print_note(wording.ALL_WIRED_NOTE)
     elif fleet.hosts() == 1:
-        print_note(wording.ALONE)
+        print_note(wording.LONE_HOST_NOTE)
 
 
 def print_robot_name(rows: Rows, output: Output) -> None:
-    """Name a ready-made robot once above a table for people."""
+    """Print the name of a ready-made robot above a table for people."""
     if output.for_people and "robot" in rows[0]:
         click.echo(f"Robot: {rows[0]['robot']}\n")
 
 
 def describe_matching(command: click.Command) -> click.Command:
     """Fill ``{matching}`` in the help of a command with the rule for matching endpoints."""
-    command.help = (command.help or "").replace("{matching}", _MATCHING)
+    command.help = (command.help or "").replace("{matching}", _MATCHING_RULE)
     return command
 
 
@@ -124,7 +124,7 @@ def ros2_swarm(hosts: Any, processes: Any, endpoints: Any) -> ds.Fleet:
 def fleet_source(
     fleet: str | None, file: str | None, robot: str | None, counts: Mapping[str, Any]
 ) -> str | None:
-    """Return the fleet file, or None for a robot or counts, which are needed without a file.
+    """Return the fleet file; None if a robot or counts are given instead of a file.
 
     Raise a UsageError if a fleet is given in no way, or in more than one.
     """
@@ -177,7 +177,7 @@ def _fleet_input(**given: Any) -> FleetInput:
 
 
 def comparison_fleet(fleet: str | None, robot: str | None, hosts: float | None) -> ds.Fleet | None:
-    """Return the fleet to compare with: of a file, or of ready-made robots; None for neither."""
+    """Return the fleet to compare with, from a file or of ready-made robots; None without both."""
     if fleet is None and robot is None:
         if hosts is not None:
             raise click.UsageError("--hosts needs --robot")
@@ -187,8 +187,8 @@ def comparison_fleet(fleet: str | None, robot: str | None, hosts: float | None) 
 
 
 file_options = (
-    click.option("--fleet", **options.A_FILE, help="Fleet file, the same as FLEET."),
-    click.argument("file", **options.A_FILE | {"metavar": "[FLEET]"}, required=False),
+    click.option("--fleet", **options.FILE_ARGS, help="Fleet file, the same as FLEET."),
+    click.argument("file", **options.FILE_ARGS | {"metavar": "[FLEET]"}, required=False),
 )
 robot_option = click.option(
     "--robot",
@@ -203,19 +203,19 @@ count_options = (
 )
 
 
-def _swarm_options(make: Callable[..., Any], metavar: str, told: str) -> Callable[[Any], Any]:
-    hosts = click.option("--hosts", callback=options.parse_number_list, metavar=metavar, help=told)
-    return options.option_group("members", make, hosts, *count_options, *file_options)
+def _swarm_options(name: str, make: Any, metavar: str, text: str) -> Callable[[Any], Any]:
+    hosts = click.option("--hosts", callback=options.parse_number_list, metavar=metavar, help=text)
+    return options.option_group(name, make, hosts, *count_options, *file_options)
 
 
-swarm_options = _swarm_options(_fleet_input, "N", "Hosts.")
+swarm_options = _swarm_options("fleet_input", _fleet_input, "N", "Hosts.")
 several_swarms_options = _swarm_options(
-    _fleet_inputs, "N[,N...]", "Hosts; several give a row each."
+    "inputs", _fleet_inputs, "N[,N...]", "Hosts; several give a row each."
 )
 
 
 def error_band_columns(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:
-    """Return the interval of the measured airtime over the model's; see `measured.ErrorBand`."""
+    """Return the interval of the measured airtime over the model's; see `ErrorBand`."""
     error = error_band(protocol.name, fleet, protocol.captured) if protocol.captured else None
     low, high = (error.low, error.high) if error and error.coverage else (None, None)
     return {"band_low": low, "band_high": high, "band_beyond": error.beyond if error else None}
@@ -232,7 +232,7 @@ def print_error_bands(cases: Iterable[tuple[ds.Protocol, ds.Fleet]]) -> None:
                 f"{wording.count_noun(processes, 'process', 'es')} and "
                 f"{wording.count_noun(endpoints, 'endpoint')} per process. {error.sentence()}"
             ] = None
-    if 0 < len(sentences) <= _MAX_BANDS:
+    if 0 < len(sentences) <= _MAX_PRINTED_ERRORS:
         click.echo()
         for sentence in sentences:
             print_paragraph(sentence)

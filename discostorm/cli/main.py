@@ -85,16 +85,16 @@ class Commands(click.Group):
         """Run a command; see `click.Group.main`."""
         logging.getLogger("matplotlib").setLevel(logging.ERROR)  # hide warnings about its cache
         for stream in (sys.stdout, sys.stderr):
-            # What the terminal cannot show is escaped.
+            # Escape characters that the terminal cannot show.
             if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
                 stream.reconfigure(errors="backslashreplace")
         try:
-            if sys.stdout is None:  # closed before the start: click would print nothing
+            if sys.stdout is None:  # already closed: click would print nothing
                 raise OSError(errno.EBADF, os.strerror(errno.EBADF))
             return super().main(*args, **kwargs)
         except OSError as error:  # click itself answers a closed pipe
             click.echo(f"Error: the output could not be written: {error.strerror}", err=True)
-            sys.stdout = None  # or it would be tried again at the end
+            sys.stdout = None  # so that Python does not flush it again at exit
             sys.exit(1)
 
 

@@ -25,9 +25,9 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 #: Default of --protocol: the default middleware of ROS 2, with its measured traffic.
 DEFAULT = "Fast DDS"
 #: Key of the ROS 2 distribution in the metadata of click's context.
-_ROS = "discostorm.ros"
+_ROS_KEY = "discostorm.ros"
 #: Key of whether the fleet of a command has cells.
-_CELLS = "discostorm.cells"
+_CELLS_KEY = "discostorm.cells"
 #: Words that stand for several protocols.
 PROTOCOL_SETS = {"all": protocols_in_order(), "paper": (ds.DDS, ds.ZENOH)}
 #: Options that change a link: the link, the quantity, the unit, and that unit in SI.
@@ -38,7 +38,7 @@ LINK_OPTIONS = {
     "multicast_overhead": ("multicast", "overhead", "µs", 1e-6),
 }
 #: Allowed rates [bit/s] and overheads [s].
-_RANGES = {"rate": (_checks.MIN_RATE, _checks.MAX_RATE), "overhead": (0.0, _checks.MAX_SECONDS)}
+_ALLOWED = {"rate": (_checks.MIN_RATE, _checks.MAX_RATE), "overhead": (0.0, _checks.MAX_SECONDS)}
 
 
 def path_completion(kind: str) -> Callable[..., list[CompletionItem]]:
@@ -47,7 +47,7 @@ def path_completion(kind: str) -> Callable[..., list[CompletionItem]]:
 
 
 #: Arguments of an option that names a file.
-A_FILE: dict[str, Any] = {"metavar": "FILE", "shell_complete": path_completion("file")}
+FILE_ARGS: dict[str, Any] = {"metavar": "FILE", "shell_complete": path_completion("file")}
 
 
 def option_group(
@@ -107,12 +107,12 @@ def _parse_wifi(channel: str, **given: float | None) -> Wifi:
     links: dict[str, Any] = {"unicast": ds.PAPER.unicast, "multicast": ds.PAPER.multicast}
     for option, value in changes.items():
         cast, quantity, unit, in_si = LINK_OPTIONS[option]
-        low, high = (end / in_si for end in _RANGES[quantity])
+        low, high = (end / in_si for end in _ALLOWED[quantity])
         _checks.number(f"--{option.replace('_', '-')} in {unit}", int_if_integral(value), low, high)
         links[cast] = replace(links[cast], **{quantity: value * in_si})
     context = click.get_current_context()
     default = context.get_parameter_source("channel") is ParameterSource.DEFAULT
-    if context.meta.get(_CELLS) and (changes or not default):
+    if context.meta.get(_CELLS_KEY) and (changes or not default):
         raise click.UsageError("--wifi cannot be combined with [[cells]]: each cell names its own")
     try:
         wifi = as_wifi(channel)
@@ -180,7 +180,8 @@ def _keep_distribution(context: click.Context, _: click.Parameter, value: str | 
     if value is not None:
         try:
             name = _print_names_on_request(context, value, (*distributions(), "all"))
-            prefer_distribution("all" if _names.key(name) == "all" else distribution_name(name))
+            every = _names.normalize(name) == "all"
+            prefer_distribution("all" if every else distribution_name(name))
         except ValueError as error:
             raise click.BadParameter(str(error)) from None
 
@@ -188,18 +189,18 @@ def _keep_distribution(context: click.Context, _: click.Parameter, value: str | 
 def prefer_distribution(ros: str | None) -> None:
     """Use a ROS 2 distribution for a command's protocols, unless an option names another."""
     if ros is not None:
-        click.get_current_context().meta.setdefault(_ROS, ros)
+        click.get_current_context().meta.setdefault(_ROS_KEY, ros)
 
 
 def chosen_distribution() -> str | None:
     """Return the ROS 2 distribution of a command; None if no option or file names a single one."""
-    ros = click.get_current_context().meta.get(_ROS)
+    ros = click.get_current_context().meta.get(_ROS_KEY)
     return None if ros == "all" else ros
 
 
 def prefer_channels(cells: tuple[Cell, ...]) -> None:
     """Use the channels of the fleet's cells in a command, if the fleet has cells."""
-    click.get_current_context().meta[_CELLS] = bool(cells)
+    click.get_current_context().meta[_CELLS_KEY] = bool(cells)
 
 
 def _name_nearest_release(protocol: ds.Protocol, ros: str) -> None:
@@ -221,7 +222,7 @@ def _parse_protocol(value: str, flag: str) -> ds.Protocol:
             param_hint=repr(flag),
         ) from None
     try:
-        ros = click.get_current_context().meta.get(_ROS)
+        ros = click.get_current_context().meta.get(_ROS_KEY)
         if ros == "all":
             raise ValueError("--ros all needs a command that compares protocols, such as plan")
         protocol = as_protocol(value, ros)
@@ -245,8 +246,8 @@ def _parse_protocols(protocols: tuple[str, ...]) -> tuple[ds.Protocol, ...]:
     """Return the protocols that are named, each once, in the order of the calculator."""
     chosen: list[ds.Protocol] = []
     for value in protocols:
-        if (several := PROTOCOL_SETS.get(_names.key(value))) is None:
-            every, found = click.get_current_context().meta.get(_ROS) == "all", []
+        if (several := PROTOCOL_SETS.get(_names.normalize(value))) is None:
+            every, found = click.get_current_context().meta.get(_ROS_KEY) == "all", []
             for ros in distributions() if every else ():
                 with suppress(ValueError):  # not every distribution ships each product
                     found.append(as_protocol(value, ros))

@@ -71,7 +71,7 @@ class Output:
         return not (self.as_json or self.as_csv)
 
 
-def plain(value: Any) -> str:
+def as_text(value: Any) -> str:
     """Format a cell with all digits that matter, and without a terminal's control characters."""
     if not isinstance(value, float):
         return visible(str(value)).replace("\n", "\\n")
@@ -79,7 +79,7 @@ def plain(value: Any) -> str:
 
 
 def percent(value: float) -> str:
-    """Format a fraction in percent: to one decimal, from 1000% on to three digits."""
+    """Format a fraction in percent with one decimal, from 1000% on with three digits."""
     if 10 <= value < wording.HUGE:
         return f"{float(f'{value:.3g}'):,.0%}"
     return wording.percent(value, decimals=1, below_prefix="<")
@@ -91,7 +91,7 @@ def format_bool(value: bool) -> str:
 
 
 def format_seconds(value: float) -> str:
-    """Format seconds to the microsecond, from ten on to the tenth."""
+    """Format seconds with microseconds, from 10 s on with tenths."""
     if value < 10:
         return f"{value:.6f}"
     return f"{value:,.1f}" if value < wording.HUGE else f"{value:.3g}"
@@ -103,7 +103,7 @@ class Column:
 
     key: str
     heading: str = ""
-    format: Format = plain
+    format: Format = as_text
     unit: str = ""
 
     @property
@@ -162,7 +162,7 @@ def align_columns(rows: Rows, columns: Sequence[Column]) -> str:
 
 
 def _rows_as_blocks(rows: Sequence[Sequence[str]]) -> str:
-    """Return rows, the headings first, as blocks of lines: a heading and a cell."""
+    """Return each row as a block with a line per cell, after its heading from the first row."""
     headings, *others = rows
     indent = min(max(map(len, headings)) + 2, max(_width() - 12, 8))
     fill = functools.partial(textwrap.fill, width=_width(), subsequent_indent=" " * indent)
@@ -182,7 +182,7 @@ def _width() -> int:
 
 def print_paragraph(text: str) -> None:
     """Print a paragraph that fits the terminal, and at most 79 characters."""
-    click.echo(visible(wording.wrapped(text, min(_width(), 79))))
+    click.echo(visible(wording.wrap(text, min(_width(), 79))))
 
 
 def print_note(text: str) -> None:
@@ -203,7 +203,7 @@ def to_json(value: Any) -> str:
 
 
 def write_file(option: str, name: str, content: bytes, *inputs: str | None) -> None:
-    """Write the file that an option names, but not over an input; ``-`` is standard input."""
+    """Write the file that an option names; refuse to overwrite an input, or to write to ``-``."""
     if name == "-":
         raise BadInput(f"{option}: - is not a file; give a file name")
     path = Path(_checks.path(option, name, "a file"))

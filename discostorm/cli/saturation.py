@@ -11,7 +11,7 @@ import discostorm as ds
 from discostorm import wording
 from discostorm.cli import fleet_options as fleets, options, output as out
 from discostorm.cli.output import Column, Output
-from discostorm.measured import max_covered_hosts
+from discostorm.prediction_error import max_covered_hosts
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
 
@@ -45,26 +45,26 @@ def _varied_groups(
     if source is not None and hosts is not None:
         raise click.UsageError("--fleet cannot be combined with --hosts here")
     if source is not None:
-        members = fleets.read_fleet(source)
-        options.prefer_channels(members.cells)
+        own = fleets.read_fleet(source)
+        options.prefer_channels(own.cells)
     elif robot is not None:
-        members = ds.Fleet((fleets.robot_preset(robot),))
+        own = ds.Fleet((fleets.robot_preset(robot),))
     else:
-        members = fleets.ros2_swarm(1, **counts)
-    together = members
+        own = fleets.ros2_swarm(1, **counts)
+    together = own
     if beside is not None:
         others = fleets.read_fleet(beside)
-        if members.cells or others.cells:
+        if own.cells or others.cells:
             raise click.UsageError("--beside cannot be combined with [[cells]]: use one FLEET")
-        if source is not None and others.matching != members.matching:
-            got = f"{members.matching:g} and {others.matching:g}"
+        if source is not None and others.matching != own.matching:
+            got = f"{own.matching:g} and {others.matching:g}"
             raise click.UsageError(f"matching must be the same in FLEET and --beside; got {got}")
-        # The names are left out, because they may name the members.
+        # The names are left out, because they may occur in both fleets.
         unnamed = (replace(group, name="") for group in others.groups)
-        together = ds.Fleet((*members.groups, *unnamed), others.matching)
+        together = ds.Fleet((*own.groups, *unnamed), others.matching)
     if source is not None:
-        return [VariedGroup({"group": name}, together, n) for n, name in enumerate(members.names)]
-    columns = {} if robot is None else {"robot": members.groups[0].name}
+        return [VariedGroup({"group": name}, together, n) for n, name in enumerate(own.names)]
+    columns = {} if robot is None else {"robot": own.groups[0].name}
     return [VariedGroup(columns, together, asked=hosts)]
 
 
@@ -78,7 +78,7 @@ def _varied_groups(
     ),
     *fleets.count_options,
     *fleets.file_options,
-    click.option("--beside", **options.A_FILE, help="Fleet file of other hosts on the channel."),
+    click.option("--beside", **options.FILE_ARGS, help="Fleet file of other hosts on the channel."),
 )
 @click.option(
     "--limit", type=float, default=1.0, show_default=True, help="Utilization to reach, 1 is 100%."
@@ -108,7 +108,7 @@ def saturation(
       discostorm saturation --processes 1 --endpoints 678 --limit 0.5 --json
       discostorm saturation fleet.toml --protocol paper
     """
-    members = varied[0].fleet
+    own = varied[0].fleet
     channels = [
         replace(group, columns=group.columns | cell, fleet=fleet, wifi=own)
         for group in varied
@@ -134,13 +134,13 @@ def saturation(
         return
     fleets.print_robot_name(rows, output)
     out.print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
-    fleets.print_channels(members, aggregation_bounds(wifi)[1], output)
+    fleets.print_channels(own, aggregation_bounds(wifi)[1], output)
     if any(row["more_than"] is not None for row in rows):
         out.print_note('"More than": we captured too few hosts of this kind to say how many more.')
     if aggregates:
-        out.print_note(wording.AGGREGATES)
-    if fleets.is_all_wired(members):
-        out.print_note(wording.ALL_WIRED)
+        out.print_note(wording.AGGREGATION_NOTE)
+    if fleets.is_all_wired(own):
+        out.print_note(wording.ALL_WIRED_NOTE)
     fleets.print_error_bands(saturated)
 
 
@@ -156,7 +156,7 @@ def _saturation_row(
         "endpoints": float(host.endpoints),
         "limit": limit,
         "hosts": hosts,
-        "fit": _whole_hosts(hosts),
+        "fit": _fitting_hosts(hosts),
         "more_than": _exceeded_maximum(protocol, host, hosts),
     }
     if group.asked is not None:
@@ -164,7 +164,7 @@ def _saturation_row(
     if aggregates:
         maximum = _saturation_hosts(group, limit, protocol, full)
         row["more_than"] = row["more_than"] or _exceeded_maximum(protocol, host, maximum)
-        row |= {"hosts_full_ampdus": maximum, "fit_full_ampdus": _whole_hosts(maximum)}
+        row |= {"hosts_full_ampdus": maximum, "fit_full_ampdus": _fitting_hosts(maximum)}
     return row
 
 
@@ -180,7 +180,7 @@ def _saturation_hosts(
     return float(ds.saturation_hosts(protocol, wifi=wifi, limit=limit, fleet=fleet, group=index))
 
 
-def _whole_hosts(hosts: float | None) -> float:
+def _fitting_hosts(hosts: float | None) -> float:
     if hosts is None:
         return 0
     return hosts if hosts == math.inf else wording.last_integer_below(hosts)

@@ -30,7 +30,7 @@ COLUMNS = (
 @wifi_options
 @output_options
 def utilization(
-    members: list[fleets.FleetInput], protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
+    inputs: list[fleets.FleetInput], protocols: tuple[ds.Protocol, ...], wifi: Wifi, output: Output
 ) -> None:
     """Compute the airtime that the discovery of a fleet needs in one second.
 
@@ -49,7 +49,7 @@ def utilization(
     """
     channels = [
         (each.columns | cell, fleet, *aggregation_bounds(own))
-        for each in members
+        for each in inputs
         for cell, fleet, own in fleets.channels_by_cell(each.fleet, wifi)
     ]
     aggregates = any(full != single for _, _, full, single in channels)
@@ -67,11 +67,11 @@ def utilization(
     fleets.print_robot_name(rows, output)
     out.print_table(rows, output, COLUMNS)
     if output.for_people:
-        fleets.print_channels(members[0].fleet, channels[0][-1], output)
+        fleets.print_channels(inputs[0].fleet, channels[0][-1], output)
         if aggregates:
-            out.print_note(wording.AGGREGATES)
-        if len(members) == 1:
-            fleets.print_fleet_note(members[0].fleet)
+            out.print_note(wording.AGGREGATION_NOTE)
+        if len(inputs) == 1:
+            fleets.print_fleet_note(inputs[0].fleet)
         fleets.print_error_bands((protocol, fleet) for protocol, _, fleet, _, _ in cases)
 
 

@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 
 from discostorm.figures.style import (
     COLORS as COLORS,
+    DASHES,
     MESSAGE_COLORS as MESSAGE_COLORS,
     STYLE_SHEETS as STYLE_SHEETS,
-    STYLES,
     WIDTH as WIDTH,
     color_of as color_of,
     css_color_property as css_color_property,
@@ -112,7 +112,7 @@ def fig4_data() -> pd.DataFrame:
 
 
 #: The side of its curve on which a protocol's text stands: alignments, and the offset in points.
-_SIDES = (("right", "bottom", (-9, 5)), ("left", "top", (9, -5)))
+_LABEL_SIDES = (("right", "bottom", (-9, 5)), ("left", "top", (9, -5)))
 
 
 def _label(
@@ -135,14 +135,14 @@ def _format_percent_axis(axis: Axes, maximum: float) -> None:
 
 def _draw_phases(axis: Axes, data: pd.DataFrame, *robot: Any) -> None:
     """Draw each phase, thin and on top, and the total against hosts; mark where that is 100%."""
-    for protocol, (ha, va, offset) in zip(PAPER_PROTOCOLS, _SIDES, strict=True):
+    for protocol, (ha, va, offset) in zip(PAPER_PROTOCOLS, _LABEL_SIDES, strict=True):
         color, dark = color_of(protocol), _phase_color(protocol)
         rows = data[data["protocol"] == protocol.name]
         total = rows[rows["phase"] == "total"]
-        axis.plot(total["hosts"], total["utilization"], STYLES["total"], color=color, linewidth=3)
+        axis.plot(total["hosts"], total["utilization"], DASHES["total"], color=color, linewidth=3)
         for phase in protocol.phases:
             part = rows[rows["phase"] == phase]
-            axis.plot(part["hosts"], part["utilization"], STYLES[phase], color=dark, linewidth=1.2)
+            axis.plot(part["hosts"], part["utilization"], DASHES[phase], color=dark, linewidth=1.2)
         integers = total[total["hosts"] % 1 == 0]
         axis.plot(integers["hosts"], integers["utilization"], "o", color=color, markersize=6)
         hosts = saturation_hosts(protocol, *robot)
@@ -154,9 +154,9 @@ def _draw_phases(axis: Axes, data: pd.DataFrame, *robot: Any) -> None:
     axis.set_xlabel("hosts $N_H$")
 
 
-def _name_totals(axis: Axes, data: pd.DataFrame, maximum: float) -> None:
-    """Write names of totals and of their largest phases where the totals leave the panel."""
-    for protocol, (ha, _, (across, _)) in zip(PAPER_PROTOCOLS, _SIDES, strict=True):
+def _label_totals(axis: Axes, data: pd.DataFrame, maximum: float) -> None:
+    """Label each total and its largest phase where the curve of the total leaves the panel."""
+    for protocol, (ha, _, (across, _)) in zip(PAPER_PROTOCOLS, _LABEL_SIDES, strict=True):
         rows = data[(data["protocol"] == protocol.name) & (data["utilization"] <= 0.97 * maximum)]
         # The phase of the endpoints comes last, and is right of the total.
         curve = rows[rows["phase"] == ("total" if ha == "right" else protocol.phases[-1])]
@@ -168,7 +168,7 @@ def _name_totals(axis: Axes, data: pd.DataFrame, maximum: float) -> None:
         _label(axis, text, end, (across - shift, -6), _phase_color(protocol), va="top", **look)
 
 
-def _name_phases(axis: Axes, data: pd.DataFrame, heights: tuple[float, float]) -> None:
+def _label_phases(axis: Axes, data: pd.DataFrame, heights: tuple[float, float]) -> None:
     """Name each protocol's first phase at the end of its curve, raised by a height in points."""
     last = data[data["hosts"] == data["hosts"].max()].set_index("phase")
     for protocol, height in zip(PAPER_PROTOCOLS, heights, strict=True):
@@ -190,8 +190,8 @@ def _utilization_by_hosts(
         axis = figure.subplots()
         _draw_phases(axis, data, *robot)
         _format_percent_axis(axis, maximum)
-        _name_totals(axis, data, maximum)
-        _name_phases(axis, data, heights)
+        _label_totals(axis, data, maximum)
+        _label_phases(axis, data, heights)
         dds, zenoh = (saturation_hosts(each, *robot) for each in PAPER_PROTOCOLS)
         axis.set_title(f"{name}$N_P = {robot[0]:g}$, $N_E = {robot[1]:g}$")
         headline(figure, f"{dds:.2f} robots with DDS and {zenoh:.2f} with Zenoh fill a second")
@@ -235,7 +235,7 @@ def fig3() -> Figure:
             axis.plot(even["processes"], even["utilization"], "o", color=color)
             end = tuple(line.iloc[-1][["processes", "utilization"]])
             _label(axis, protocol.name, end, (4, 0), color, va="center")
-        for protocol, (ha, va, offset) in zip(PAPER_PROTOCOLS, _SIDES, strict=True):
+        for protocol, (ha, va, offset) in zip(PAPER_PROTOCOLS, _LABEL_SIDES, strict=True):
             line = parts["trajectory", protocol.name]
             full = float(np.interp(1, line["utilization"], line["processes"]))
             text, color = f"full at {full:.1f} processes", color_of(protocol)
@@ -250,7 +250,7 @@ def fig3() -> Figure:
 
 
 def _draw_map(axis: Axes, surface: pd.DataFrame, line: pd.DataFrame, color: str) -> None:
-    """Draw lines of equal utilization, the full channel thick, and the robots of the line."""
+    """Draw lines of equal utilization, a thick one for a full channel, and the dashed line."""
     grid = surface.pivot_table(index="endpoints", columns="processes", values="utilization")
     levels = [0.25, 0.5, 1, 2]
     look: dict[str, Any] = {"levels": levels, "colors": color}

@@ -17,7 +17,7 @@ from discostorm.palette import PALETTE, Color, light_colors
 from discostorm.protocols import PROTOCOLS
 
 #: Line styles of phases.
-STYLES = {"total": "-", "SPDP": ":", "Scouting": ":", "SEDP": "--", "Declaration": "--"}
+DASHES = {"total": "-", "SPDP": ":", "Scouting": ":", "SEDP": "--", "Declaration": "--"}
 #: Colors of the paper's messages: shades of the color of DDS or Zenoh.
 MESSAGE_COLORS = light_colors("shade")
 #: Inches: the text's width in print; on a page letters are then a little smaller than the text's.

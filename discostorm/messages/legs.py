@@ -18,7 +18,7 @@ HOST_BY_HOST = UNITS["process and other host"]
 
 
 def announcements(protocol: Protocol) -> list[Message]:
-    """Return the scheduled messages that reach unknown processes: all, each, or a wired server."""
+    """Return the scheduled messages that reach undiscovered processes or a wired server."""
     announcing = (m for m in protocol.messages if m.role == "announcement")
     by_clock = [m for m in announcing if not m.answers and m.frames]
     to_all = [m for m in by_clock if m.cast == "multicast"]
@@ -72,7 +72,7 @@ def shares_frames(message: Message) -> bool:
 
 
 def introduces_sender(protocol: Protocol, message: Message) -> bool:
-    """Return whether a message introduces its sender, by itself or by one in the same frames."""
+    """Return whether a message, or another one in the same frames, introduces its sender."""
     leg = legs(protocol)[message.name]
     beside = [m for m in protocol.messages if m.informs and m.per_unit * m.frames < 1]
     shares = any((m.phase, legs(protocol)[m.name]) == (message.phase, leg) for m in beside)
@@ -80,7 +80,7 @@ def introduces_sender(protocol: Protocol, message: Message) -> bool:
 
 
 def answered_message(protocol: Protocol, message: Message) -> Message:
-    """Return the message that another one answers; of passed-on ones, one that is always sent."""
+    """Return the message that another one answers, or one that is always sent in its place."""
     answered = protocol.message(message.answers or "")
     if legs(protocol)[message.name] != "back" or not shares_frames(answered):
         return answered

@@ -9,12 +9,12 @@ import sympy as sp
 from discostorm import _checks, notation as nt
 from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
-from discostorm.fleet import SWARM, Count, Fleet
+from discostorm.fleet import PAPER_SWARM, Count, Fleet
 from discostorm.messages.schedule import ONCE, Schedule
 from discostorm.messages.units import Unit, WirelessEnd
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
 
-#: Least messages per unit, and least part of a frame [1].
+#: Minimum number of messages per unit, and minimum part of a frame [1].
 _MIN_PER_UNIT = 1e-9
 
 Transport = Literal["UDP", "TCP"]
@@ -46,7 +46,7 @@ class Payload:
 
     def __post_init__(self) -> None:
         source = _checks.shorten_name(str(self.source))
-        with _checks.errors_of(f"payload ({source})" if self.source else ""):
+        with _checks.prefix_errors(f"payload ({source})" if self.source else ""):
             most = _checks.MAX_BYTES
             low, high = (self.nominal if end is None else end for end in (self.low, self.high))
             low = _checks.number("nominal" if self.low is None else "low", low, 0, most)
@@ -124,7 +124,7 @@ class Message:
     def __post_init__(self) -> None:
         _checks.unwrap_0d_arrays(self)
         if not isinstance(self.payload, Payload):
-            with _checks.errors_of(f"payload of {_checks.shorten_name(str(self.name))}"):
+            with _checks.prefix_errors(f"payload of {_checks.shorten_name(str(self.name))}"):
                 object.__setattr__(self, "payload", Payload(self.payload))
         if not self.kind:
             object.__setattr__(self, "kind", self.name)
@@ -171,19 +171,19 @@ class Message:
             return self.payload.nominal
         return self.payload.nominal / self.frames + header_bytes()[self.transport]
 
-    def load(self, fleet: Fleet = SWARM) -> Count:
+    def load(self, fleet: Fleet = PAPER_SWARM) -> Count:
         """Return the number of messages of a fleet at each time of the schedule."""
         _checks.instance("fleet", fleet, Fleet)
         return self.per_unit * self.unit.count(fleet)
 
     def counted_by(self, by_hop: bool = False) -> list[tuple[Unit, tuple[Hop, ...]]]:
-        """Return units and their hops: one for all, or ``by_hop`` one each, of wireless hosts."""
+        """Return the unit and all hops or, ``by_hop``, the unit of wireless hosts for each hop."""
         if not by_hop:
             return [(self.unit, self.hops)]
         return [(self.wireless_unit(hop), (hop,)) for hop in self.hops]
 
     def wireless_unit(self, hop: Hop) -> Unit:
-        """Return the unit that counts only messages on the air of a hop, if hosts are wired.
+        """Return the unit that counts only the messages that take airtime on a hop.
 
         The other end of a message with one hop is a wired server. A message that the server passes
         on takes airtime on its way to the receiver, which answers it.

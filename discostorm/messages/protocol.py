@@ -11,7 +11,7 @@ import sympy as sp
 
 from discostorm import _checks
 from discostorm._numeric import int_if_integral
-from discostorm.fleet import SWARM, Fleet
+from discostorm.fleet import PAPER_SWARM, Fleet
 from discostorm.messages.message import HEADER_SYMBOLS, Hop, Message, header_bytes
 from discostorm.messages.schedule import PAPER_WINDOW, Schedule, checked_window
 from discostorm.messages.units import Unit
@@ -20,7 +20,7 @@ from discostorm.wifi import Model
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Decides which remedies work for a protocol, and how it recovers losses.
+#: A protocol's family decides which remedies work, and how the protocol recovers losses.
 Family = Literal["DDS", "Zenoh"]
 
 Cost = TypeVar("Cost", float, Any)
@@ -191,7 +191,7 @@ class Protocol:
     def utilization(
         self,
         phase: str | None = None,
-        fleet: Fleet = SWARM,
+        fleet: Fleet = PAPER_SWARM,
         model: Model = "linear",
         window: sp.Expr | float = PAPER_WINDOW,
     ) -> sp.Expr:
@@ -200,7 +200,7 @@ class Protocol:
         .. math:: U_\Phi = \sum_{\phi \in \Phi} \left(\frac{x_\phi}{W} + \frac{1}{P_\phi}\right)
             L_\phi (\mathcal{T}^{up}_\phi + \mathcal{T}^{down}_\phi)
 
-        For the x of a message with period P see `Schedule.extra`. The paper's messages are sent
+        `Schedule.burst_count` is the x of a message with period P. Messages of the paper are sent
         once, in a window W of one second: :math:`x / W + 1 / P = 1`.
 
         Parameters
@@ -222,10 +222,10 @@ class Protocol:
         return self._total(phase, fleet, model, methodcaller("mean", checked_window(window)))
 
     def burst(
-        self, phase: str | None = None, fleet: Fleet = SWARM, model: Model = "linear"
+        self, phase: str | None = None, fleet: Fleet = PAPER_SWARM, model: Model = "linear"
     ) -> sp.Expr:
         """Return the airtime [s] that startup needs beyond the steady state; see `utilization`."""
-        return self._total(phase, fleet, model, lambda schedule: int_if_integral(schedule.extra))
+        return self._total(phase, fleet, model, lambda s: int_if_integral(s.burst_count))
 
     def costs(
         self,

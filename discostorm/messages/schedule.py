@@ -78,7 +78,7 @@ class Schedule:
         return 1 / self.period
 
     @property
-    def extra(self) -> float:
+    def burst_count(self) -> float:
         r"""The messages of startup beyond the periodic ones [1].
 
         With K times at startup, the last at :math:`t_K`, and period P, the number sent until t is
@@ -87,11 +87,11 @@ class Schedule:
         return len(self.starts) - self.starts[-1] / self.period
 
     def mean(self, window: Any) -> Any:
-        """Return the maximum of messages in an average second of the window [1/s]; see `extra`."""
+        """Return the maximum of messages per second of the window [1/s]; see `burst_count`."""
         window_s = checked_window(window)
         if isinstance(window_s, float):
-            return int_if_integral(self.extra / window_s + self.per_second)
-        return int_if_integral(self.extra) / window_s + int_if_integral(self.per_second)
+            return int_if_integral(self.burst_count / window_s + self.per_second)
+        return int_if_integral(self.burst_count) / window_s + int_if_integral(self.per_second)
 
     def sent(self, time: ArrayLike) -> Value:
         """Return the number of messages from 0 up to and including a time [s]."""

@@ -26,7 +26,7 @@ ProcessSet = Literal["process", "host", "first host of a group", "first process"
 #: or any host of the fleet, if all hosts receive the message.
 WirelessEnd = Literal["sender", "receiver", "any"]
 
-#: Counted entities: the processes that send for them, and what each of them has, as in `Hosts`.
+#: For each counted entity: the processes that send for it, and the property of `Hosts` to sum.
 ENTITIES: dict[str, tuple[ProcessSet, str]] = {
     "process": ("process", "ones"),
     "endpoint": ("process", "endpoints_per_process"),
@@ -51,7 +51,7 @@ class FleetTotals(NamedTuple):
     matches: float
 
 
-#: Factors of a count, each for a third party.
+#: Factors of a count: processes or hosts besides the sender and its receiver.
 FACTORS: dict[str, Callable[[FleetTotals], Count]] = {
     "third process": lambda fleet: fleet.processes - 2,
     "third host": lambda fleet: fleet.hosts - 2,
@@ -77,8 +77,8 @@ def _unmatched(group: HostGroup, matching: float) -> Count:
     return (group.endpoints - int_if_integral(group.shared)) * int_if_integral(1 - matching)
 
 
-#: What a process of the group at an index of a fleet has, by the names in `Hosts`.
-_OF_GROUP: dict[str, Callable[[Fleet, int], Count]] = {
+#: Functions of a fleet and a group's index that count what a process has, by names in `Hosts`.
+_PER_PROCESS: dict[str, Callable[[Fleet, int], Count]] = {
     "ones": lambda *_: 1,
     "endpoints_per_process": lambda fleet, index: fleet.groups[index].endpoints,
     "list_entries_per_process": lambda fleet, index: _list_entries(fleet.groups[index]),
@@ -114,10 +114,10 @@ class Hosts:
     list_entries_per_process: NDArray[np.float64] = field(init=False)
     matched_per_process: NDArray[np.float64] = field(init=False)
     matched_writers: NDArray[np.float64] = field(init=False)
-    matched_of_host: NDArray[np.float64] = field(init=False)  #: mean over the host's processes
+    matched_of_host: NDArray[np.float64] = field(init=False)  #: mean of the host's processes
     unmatched_per_process: NDArray[np.float64] = field(init=False)
     unknown_types_per_process: NDArray[np.float64] = field(init=False)
-    matched_elsewhere: NDArray[np.float64] = field(init=False)  #: of all other processes
+    matched_elsewhere: NDArray[np.float64] = field(init=False)  #: sum over other processes
     matches: bool = field(init=False)
 
     def __post_init__(self) -> None:
@@ -228,7 +228,7 @@ class Unit:
                 "first host of a group": group.processes,
                 "first process": int(index == 0),
             }[process_set]
-            total = total + senders * receivers[index] * _OF_GROUP[quantity](fleet, index)
+            total = total + senders * receivers[index] * _PER_PROCESS[quantity](fleet, index)
         if self.factor is None:
             return total
         totals = FleetTotals(fleet.processes(), fleet.hosts(), fleet.matches())

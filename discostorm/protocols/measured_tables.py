@@ -31,7 +31,7 @@ from discostorm.messages import (
 )
 from discostorm.protocols.defaults import defaults, timers
 
-#: The files of the messages of tables, by the basis of the table.
+#: Files with the messages of tables, by the basis of the table.
 ROW_FILES = {"measured": "as_built", "mitigated": "mitigations"}
 #: Columns of tables that are timers.
 _TIMERS = set(Timers.__dataclass_fields__)

@@ -1,4 +1,4 @@
-"""Our proposal of a discovery: one speaker per host, sets packed in multicasts, coded repair.
+"""Our proposed discovery: one speaker per host, packed multicast announcements, coded repair.
 
 Not a product. ``data/hybrid/messages.csv`` has what is sent without losses; the lab's prototype has
 rules for losses, failures and late joiners. The contents of a frame have separate rows, which cost

@@ -17,7 +17,7 @@ from discostorm.protocols.paper import DDS, ZENOH
 
 
 def _timed_message(row: Mapping[str, str], paper: Protocol) -> Message:
-    """Return a message of the paper with the values of a row's filled cells."""
+    """Return a message of the paper, changed to the values in a row's filled cells."""
     changes: dict[str, Any] = {name: row[name] for name in ("phase", "cast", "role") if row[name]}
     if row["unit"]:
         changes["unit"] = UNITS[row["unit"]]
@@ -54,7 +54,7 @@ ZENOH_PERIODS = _with_product_timers(ZENOH, "Zenoh", "Zenoh, periods of Zenoh pe
 
 
 def timed_by_product() -> dict[str, Protocol]:
-    """Return these tables, renamed to the tables of their products, by that name."""
+    """Return these tables, each under the name of its product's table."""
     tables = (CYCLONE_DDS_PERIODS, FAST_DDS_PERIODS, ZENOH_PERIODS)
     products = {table.name.rpartition("periods of ")[2]: table for table in tables}
     return {name: replace(table, name=name) for name, table in products.items()}

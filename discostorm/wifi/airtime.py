@@ -1,4 +1,4 @@
-"""The airtime of one frame: paper, Sec. IV, and the standard's whole symbols and A-MPDUs."""
+"""The airtime of one frame: by the paper (Sec. IV), or with whole symbols and A-MPDUs."""
 
 from functools import cache
 from typing import Literal, get_args
@@ -10,8 +10,8 @@ from discostorm.wifi import aggregation as agg
 
 Cast = Literal["multicast", "unicast"]
 
-#: How a frame becomes airtime: equation (11) of the paper, the standard's rounding to whole
-#: symbols, or this and aggregation.
+#: Formula of airtime: equation (11) of the paper, with the standard's rounding to whole symbols,
+#: or with both this rounding and aggregation.
 Model = Literal["linear", "padded", "aggregated"]
 
 BITS_PER_BYTE = 8
@@ -31,7 +31,7 @@ def airtime(frame_bytes: sp.Expr, rate: sp.Expr, overhead: sp.Expr) -> sp.Expr:
 
 
 def bits_airtime(octets: sp.Expr, cast: Cast) -> sp.Expr:
-    """Return the airtime of further octets in a frame, by the rate alone [s]."""
+    """Return the airtime that further octets add to a frame, by the rate alone [s]."""
     return airtime(octets, nt.R_UNI if cast == "unicast" else nt.R_MULTI, sp.Integer(0))
 
 
@@ -50,7 +50,7 @@ def data_time(
 
 
 def aggregated_airtime(frame_bytes: sp.Expr) -> sp.Expr:
-    r"""Return the airtime of one frame among its like in a full A-MPDU [s].
+    r"""Return the airtime of one frame in a full A-MPDU of equal frames [s].
 
     .. math:: \mathcal{T} = \frac{1}{n}\left(O_{agg} + \mathcal{D}(n A)\right)
     """

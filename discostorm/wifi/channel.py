@@ -13,7 +13,7 @@ from discostorm.wifi.airtime import MULTICAST, UNICAST, Model
 if TYPE_CHECKING:
     from discostorm.wifi.radio import Radio
 
-#: All durations of the standard are multiples of this [s]; counted in it they are exact.
+#: Unit of time [s]: all durations of the standard are multiples, so that counts are exact.
 TICK = 1e-7
 
 
@@ -56,7 +56,7 @@ class OfdmSymbols:
     @property
     def per_grid(self) -> float:
         """Duration of a symbol as a part of the grid [1]."""
-        # Through whole ticks: 3.6e-6 / 4e-6 itself need not be the float next to 0.9.
+        # Divide whole ticks, because 3.6e-6 / 4e-6 may differ from the float 0.9.
         return round(self.symbol / TICK) / round(self.grid / TICK)
 
 

@@ -24,17 +24,17 @@ USUAL_MPDUS = 64
 class _DerivedQuantities:
     """Quantities that follow from the parameters of a radio, in SI units."""
 
-    carrier: float  #: its band [Hz], the standard's if none was given
+    carrier: float  #: frequency band [Hz]; by default that of the standard
     slot: float  #: duration of a slot [s]
     sifs: float  #: short interframe space [s]
     aifs: float  #: wait before the back-off [s]: SIFS and AIFSN slots; DIFS if 2
     cw_min: int  #: minimum contention window [slots]: a back-off is from 0 to this
     cw_max: int  #: maximum contention window [slots]
     preamble: float  #: duration of a unicast PPDU before its data [s]
-    multicast_preamble: float  #: the same of a multicast PPDU [s]
+    multicast_preamble: float  #: duration of a multicast PPDU before its data [s]
     ack: float  #: duration of an acknowledgement with its preamble [s]
     block_ack: float  #: duration of a block acknowledgement with its preamble [s]
-    signal_extension: float  #: of each OFDM PPDU in 2.4 GHz [s]; not of DSSS
+    signal_extension: float  #: silence after each OFDM PPDU in 2.4 GHz [s]
     rate: float  #: data rate of unicast frames [bit/s]
     basic_rate: float  #: data rate of multicast frames [bit/s]
 
@@ -104,7 +104,7 @@ class Radio(_DerivedQuantities):
             "cw_min": int(parts.timing["cw_min"]),
             "cw_max": int(parts.timing["cw_max"]),
             "multicast_preamble": float(Fraction(parts.basic["preamble_us"]) / MICRO),
-            "signal_extension": float(parts.extension / MICRO),
+            "signal_extension": float(parts.signal_extension / MICRO),
             "rate": float(parts.bits_exact / parts.symbol * MEGA),
             "basic_rate": float(parts.basic["rate_Mbit_s"]) * MEGA,
         }
@@ -161,14 +161,14 @@ class Radio(_DerivedQuantities):
     def wifi(self) -> Wifi:
         """Return the channel of the closed form; with aggregation if `mpdus` is above 1.
 
-        The overhead of a unicast frame is AIFS, a back-off of half of CWmin slots (the mean of a
-        single station), preamble, SIFS and ACK; that of a multicast frame the first three.
+        A unicast frame has as overhead AIFS, a back-off of half of CWmin slots (the mean of a
+        single station), preamble, SIFS and ACK. A multicast frame lacks SIFS and ACK.
         """
         parts = self._standard_parameters
         # Microseconds as fractions, so that the sums are exact.
         waiting = parts.aifs + Fraction(parts.timing["cw_min"]) / 2 * parts.slot
-        answered = waiting + parts.preamble + parts.extension + parts.sifs + parts.extension
-        extended = parts.extension if parts.basic["extended"] == "yes" else 0
+        answered = waiting + parts.preamble + parts.sifs + 2 * parts.signal_extension
+        extended = parts.signal_extension if parts.basic["extended"] == "yes" else 0
         to_all = waiting + Fraction(parts.basic["preamble_us"]) + extended
         unicast = Link(self.rate, float((answered + parts.ack) / MICRO), self.padding)
         multicast = Link(self.basic_rate, float(to_all / MICRO), self.multicast_padding)
@@ -289,7 +289,7 @@ AnyWifi: TypeAlias = Wifi | Radio | str
 def as_wifi(wifi: AnyWifi) -> Wifi:
     """Return a given channel, or the channel of a radio or a name: "paper", "802.11ac 80 MHz"."""
     if isinstance(wifi, str):
-        if _names.key(wifi) == "paper":
+        if _names.normalize(wifi) == "paper":
             return PAPER
         try:
             wifi = radio_named(wifi)

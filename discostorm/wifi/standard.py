@@ -16,7 +16,7 @@ from discostorm.wifi.airtime import data_time
 MICRO = 10**6
 MEGA = 10**6
 GIGA = 10**9
-#: Units of messages: the SI unit in which the parameter is given, and the power of ten between.
+#: For each unit of messages, the parameter's SI unit and the power of ten between both.
 _UNITS = {"": ("", 0), "GHz": ("Hz", 9), "MHz": ("Hz", 6), "Mbit/s": ("bit/s", 6), "µs": ("s", -6)}
 _RESPONSE_RATES = (6, 12, 24)
 
@@ -33,7 +33,7 @@ class StandardParameters:
     slot: Fraction
     sifs: Fraction
     aifs: Fraction
-    extension: Fraction
+    signal_extension: Fraction
     preamble: Fraction
     symbol: Fraction
     grid: Fraction
@@ -128,7 +128,7 @@ def standard_parameters(
         slot=slot,
         sifs=sifs,
         aifs=sifs + int(aifsn) * slot,
-        extension=Fraction(timing["signal_extension_us"]),
+        signal_extension=Fraction(timing["signal_extension_us"]),
         preamble=_preamble_duration(standard, training_fields, Fraction(symbols["ltf_us"])),
         symbol=Fraction(symbols["symbol_us"]),
         grid=Fraction(symbols["grid_us"]),
@@ -168,7 +168,7 @@ def _row_of_value(
     choices = [_checks.format_exact(round(allowed / one, 9)) for allowed, _ in rows]
     shown = f" {unit}" if unit else ""
     got = f"{given / one:.12g}{shown}" if unit else repr(value)
-    # A value that is off by a thousand is in another unit; zero would not show that.
+    # A value that is off by a factor of 1000 was given in another unit; zero cannot show it.
     nonzero = [(allowed, text) for (allowed, _), text in zip(rows, choices, strict=True) if allowed]
     if unit and not any(1e-3 < given / allowed < 1e3 for allowed, _ in nonzero):
         got = f"{value!r} {si}; {name} is in {si}, such as {nonzero[0][1]}e{power}"

@@ -19,10 +19,16 @@ from lab_data import BOOK, CORE, read_lab_table, write_table
 from numpy.typing import NDArray
 from release_points import release_of, release_points
 
-from discostorm.measured import configurations, product_releases, products
 from discostorm.messages import UNITS, Protocol
 from discostorm.protocols import PROTOCOLS
-from discostorm.protocols.measured_tables import measured_table, message_rows, schedule_from_row
+from discostorm.protocols.measured_tables import (
+    configurations,
+    measured_table,
+    message_rows,
+    product_releases,
+    products,
+    schedule_from_row,
+)
 from discostorm_book.comparison import (
     MAX_KIND_ERROR,
     MAX_MITIGATED_ERROR,

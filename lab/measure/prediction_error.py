@@ -21,15 +21,14 @@ from lab_data import BOOK, CORE, DATA, PLANNER, read_lab_table, write_table
 from release_points import release_of, release_points
 
 from discostorm.data import read_data
-from discostorm.measured import (
-    SIZE_CLASSES,
+from discostorm.prediction_error import SIZE_CLASSES, points_outside_interval, relative_fleet_size
+from discostorm.protocols.measured_tables import (
     configurations,
-    points_outside_interval,
+    measured_table,
     product_releases,
     products,
-    relative_fleet_size,
+    table_with_counts,
 )
-from discostorm.protocols.measured_tables import measured_table, table_with_counts
 from discostorm_book.lab_counts import (
     WINDOWS,
     GridPoint,

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm.wifi import Radio, Wifi
-from discostorm_simulation.cell_setup import ATTEMPTS, RX_START_DELAY
+from discostorm_simulation.cell_setup import MAX_ATTEMPTS, RX_START_DELAY
 
 #: Headers [B] are already part of a frame's size.
 UP, DOWN = 0, 1
@@ -242,7 +242,7 @@ class Channel:
         frame = self.queues[station][0]
         frame.tries += 1
         self.failures[station] += 1
-        if frame.tries >= ATTEMPTS:
+        if frame.tries >= MAX_ATTEMPTS:
             self.queues[station].popleft()
             self.failures[station] = 0
             self.dropped += 1

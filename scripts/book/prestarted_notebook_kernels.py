@@ -25,7 +25,7 @@ PRELOADED_MODULES = (
     "discostorm_capture",
     "discostorm.cli.main",
     "discostorm.figures",
-    "discostorm.measured",
+    "discostorm.prediction_error",
     "discostorm_book.ledger.claims",
     "discostorm_planner",
     "discostorm_planner.staggered_start",

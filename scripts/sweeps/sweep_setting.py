@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 import discostorm as ds
 from discostorm.data import data_path
 from discostorm.messages import Protocol
-from discostorm_book.assumption_ladder import MOST_RUNS
+from discostorm_book.assumption_ladder import MAX_RUNS as MAX_RUNS
 from discostorm_planner import staggered_start
 from discostorm_simulation import starts
 from discostorm_simulation.result import CAUSES
@@ -44,10 +44,10 @@ SEED = 2026
 #: without queue limits), and the interval's confidence: two such intervals, or their ratio, hold
 #: together with at least 95 % (Bonferroni).
 MANY_RUNS, CONFIDENCE = 100, Fraction("0.975")
-#: Maximum number of runs. A host count is decided if its interval ends within the limit and the
-#: interval of the next count starts beyond it. Undecided settings get `MANY_RUNS` runs, then four
-#: times as many, up to `MAX_RUNS`; the count then has a range.
-MAX_RUNS = MOST_RUNS
+# A host count is decided if its interval ends within the limit and the interval of the next count
+# starts beyond it. Undecided settings get `MANY_RUNS` runs, then four times as many, up to
+# `MAX_RUNS`; the count then has a range.
+
 #: Digest of the simulator: results of another engine must not be reused.
 ENGINE_DIGEST = sha256(data_path("engine.wasm", "discostorm_simulation").read_bytes()).hexdigest()
 SOURCE = {"source": f"ds.simulate, seed {SEED}"}

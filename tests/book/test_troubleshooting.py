@@ -14,7 +14,7 @@ from support import ROOT
 
 from discostorm.cli import main
 from discostorm.data import data_path, read_data
-from discostorm.wording import RECORD
+from discostorm.wording import TCPDUMP
 
 PAGE = (ROOT / "book" / "what_is_wrong.md").read_text(encoding="utf-8")
 
@@ -259,7 +259,7 @@ def test_pages_link_to_it_at_their_top(page: str) -> None:
 
 def test_whoever_records_loses_nothing() -> None:
     (line,) = re.findall(r"^tcpdump .*$", PAGE, re.MULTILINE)
-    assert line == RECORD.format(file="discovery.pcap")
+    assert line == TCPDUMP.format(file="discovery.pcap")
 
 
 def test_help_names_it() -> None:

@@ -28,7 +28,7 @@ from support import HELPERS, ROOT
 from test_pages import AXE, BARRIERS
 
 import discostorm as ds
-from discostorm import measured, timeline, wording
+from discostorm import drain_times, prediction_error, wording
 from discostorm.cli import main
 from discostorm.cli.calculator_link import calculator_link
 from discostorm.data import data_path, read_data
@@ -133,7 +133,7 @@ def full_ampdus(wifi: ds.Wifi) -> ds.Wifi | None:
 def compared(entries: dict[str, str], name: str, wifi: ds.Wifi) -> dict[str, float]:
     """Return how long a start takes and how many hosts fit with a table on a channel."""
     protocol, fleet, one = PROTOCOLS[name], fleet_of(entries), fleet_of(entries, 1)
-    numbers = {f"{name} drain": float(timeline.drain_time(protocol, fleet, wifi=wifi))}
+    numbers = {f"{name} drain": float(drain_times.drain_time(protocol, fleet, wifi=wifi))}
     if protocol.repeats:
         numbers[f"{name} steady"] = float(
             ds.utilization(protocol, fleet, wifi=wifi, window=math.inf)
@@ -399,7 +399,7 @@ def test_says_the_error_band_and_the_reboot_of_the_plan(
     said = tab.locator("#calc-numbers").inner_text().replace("\u00a0", " ")
     table, fleet = PROTOCOLS[middleware], fleet_of(entries)
     assert table.captured is not None
-    band = measured.error_band(middleware, fleet, table.captured)
+    band = prediction_error.error_band(middleware, fleet, table.captured)
     assert band is not None
     assert band.sentence() in said
     again = reboot_of(entries)
@@ -410,7 +410,7 @@ def test_says_the_error_band_and_the_reboot_of_the_plan(
     own = again.group == fleet.names[0]
     who = "robot" if own else "laptop" if entries["beside"] == "laptop" else "other"
     (took,) = re.findall(rf"One {who} reboots: (.*) of airtime\.", said)
-    plans = wording.durations(again.low, again.high)
+    plans = wording.time_range(again.low, again.high)
     assert took.split()[-1] == plans.split()[-1]  # the page rounds to two digits
     numbers = [[float(n) for n in re.findall(r"[\d.]+", text)] for text in (took, plans)]
     assert numbers[0] == pytest.approx(numbers[1], rel=0.1)
@@ -423,7 +423,7 @@ def test_the_bands_meet_all_cases() -> None:
     kinds = set()
     for entries in BANDS:
         fleet = fleet_of({**entries, "robot": "own"})
-        band = measured.error_band("Fast DDS", fleet, PROTOCOLS["Fast DDS"].captured or ())
+        band = prediction_error.error_band("Fast DDS", fleet, PROTOCOLS["Fast DDS"].captured or ())
         assert band is not None
         kinds.add((band.up_to, band.beyond))
     assert kinds >= {(1.0, False), (2.0, False), (2.0, True), (math.inf, False), (math.inf, True)}
@@ -863,7 +863,7 @@ def advice(tab: Page) -> list[str]:
 
 def advised(plan: ds.Plan) -> list[str]:
     """Return the advice of a plan, as far as the page has it in the same place."""
-    blocks = answer_text._change_blocks(plan, answer_text.MAX_SHOWN_CHANGES, every=False)
+    blocks = answer_text._change_blocks(plan, answer_text.MAX_SHOWN_CHANGES, all_changes=False)
     lines = [in_page_words(line.partition(". Effort: ")[0]) for block in blocks for line in block]
     may_help = answer_text.SENTENCES["possible"].partition("{")[0]
     return [line for line in lines if not line.startswith(may_help)]

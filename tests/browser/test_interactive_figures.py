@@ -15,7 +15,7 @@ from support import ROOT
 from test_pages import AXE, BARRIERS, DESKTOP, PHONE, show
 
 import discostorm as ds
-from discostorm import figures, timeline
+from discostorm import drain_times, figures
 from discostorm.protocols import timed_paper_tables
 from discostorm_book import interactive
 from discostorm_book.facts import first_mismatch
@@ -119,7 +119,9 @@ def test_the_queue_has_the_airtime_of_the_package() -> None:
                 schedule = ds.Schedule(tuple(one["starts"]), period if one["repeats"] else np.inf)
                 none, each = one["airtime"]
                 sent += (none + each * endpoints) * np.asarray(schedule.sent(time))
-            assert sent == pytest.approx(timeline.demand(table, time, 30, 2, endpoints), rel=1e-9)
+            assert sent == pytest.approx(
+                drain_times.demand(table, time, 30, 2, endpoints), rel=1e-9
+            )
             stays = ds.utilization(table, 30, 2, endpoints, window=np.inf)
             assert steady == pytest.approx(float(stays), rel=1e-9)
 
@@ -128,7 +130,7 @@ def test_the_queue_that_is_drawn_clears_when_it_is_said_to() -> None:
     swarm = {"processes": 2, "endpoints": 10}
     for hosts in (7, 30):
         drawn = startup_queue.queue_over_time_data(with_announcement_period(3), hosts, swarm)
-        clear = timeline.first_idle(with_announcement_period(3), hosts, **swarm)
+        clear = drain_times.first_idle(with_announcement_period(3), hosts, **swarm)
         before = drawn["time_s"].between(0.6, clear - 0.1)
         assert (drawn["waiting_s"][before] > 0).all()
         after = drawn["time_s"].between(clear, clear + 0.1)
@@ -261,7 +263,7 @@ def test_the_queue_clears_when_the_package_says(context: BrowserContext, book: P
     for many, seconds in ((10, 3), (0, 3), (40, 3), (10, 10), (40, 2), (5, 4)):
         endpoints.fill(str(many))
         period.fill(str(seconds))
-        clear = timeline.first_idle(with_announcement_period(seconds), 30, 2, many)
+        clear = drain_times.first_idle(with_announcement_period(seconds), 30, 2, many)
         expect(told).to_contain_text(f"clears after {clear:.1f} s.")
         expect(told).to_contain_text(f"{many} endpoints each, announcing every {seconds} s")
         assert tab.locator(".line-end").is_visible() == (clear <= 120)

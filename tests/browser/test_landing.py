@@ -472,7 +472,7 @@ def test_the_storm_is_told_in_four_moments_and_a_last_picture(
         expect(page.locator("#air-legend")).to_be_visible()
 
 
-@pytest.mark.parametrize("table", air.SERVED_TABLES)
+@pytest.mark.parametrize("table", air.TABLES_WITH_SERVER)
 def test_the_same_robots_behind_a_server_are_the_last_picture(
     browser: Browser, address: str, table: str
 ) -> None:
@@ -493,7 +493,7 @@ def test_the_same_robots_behind_a_server_are_the_last_picture(
         assert after["height"] == pytest.approx(before["height"], abs=1)  # nothing below moves
         told = page.locator("#air-sum p")
         expect(told).to_have_count(2)
-        for name, text in zip((table, air.SERVED_TABLES[table]), told.all(), strict=True):
+        for name, text in zip((table, air.TABLES_WITH_SERVER[table]), told.all(), strict=True):
             (converged,) = simulated(name, 4, False).convergence_time
             expect(text).to_contain_text(
                 f"{name}. Every robot knows every other after {converged:.1f} s."

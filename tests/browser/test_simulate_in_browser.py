@@ -104,7 +104,7 @@ def test_ten_dots_are_ten_runs_of_python(tab: Page, name: str, hosts: int) -> No
         "dots => dots.map((dot) => [dot.cx.baseVal.value, dot.cy.baseVal.value])"
     )
     for (x, y), seconds in zip(drawn, expected, strict=True):
-        value = np.log10(seconds) if np.isfinite(seconds) else convergence.NEVER
+        value = np.log10(seconds) if np.isfinite(seconds) else convergence.NEVER_AT
         for at, size, ends, lim, where in (
             (y, height, panel["y"], panel["ylim"], value),
             (x, width, panel["x"], panel["xlim"], hosts),

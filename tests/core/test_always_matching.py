@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 import discostorm as ds
+from discostorm.drain_times import drain_time
 from discostorm.messages import UNITS
 from discostorm.model import burst, utilization_without_each_group
 from discostorm.robots import laptop, robots
-from discostorm.timeline import drain_time
 
 SHARES_NOTHING = ds.Fleet.swarm(5, 2, 100)
 SHARES_ROS2 = ds.Fleet((replace(SHARES_NOTHING.groups[0], shared=14),))

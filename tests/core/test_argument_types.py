@@ -13,7 +13,7 @@ import pytest
 import sympy as sp
 
 import discostorm as ds
-from discostorm import _numeric, timeline, uncertainty
+from discostorm import _numeric, drain_times, uncertainty
 from discostorm.messages import PROCESS
 
 PAIR = ds.Fleet.swarm(2, 1, 1)
@@ -107,8 +107,8 @@ def test_what_refuses_to_be_an_array_is_refused_by_name(error: type[Exception]) 
         lambda: ds.utilization(ds.DDS, value, 2, 10),
         lambda: ds.HostGroup(value, 2, 10),
         lambda: ds.breakdown(ds.DDS, value, 2, 10),
-        lambda: timeline.first_idle(ds.DDS, value, 2, 10),
-        lambda: timeline.demand(ds.DDS, 1, value, 2, 10),
+        lambda: drain_times.first_idle(ds.DDS, value, 2, 10),
+        lambda: drain_times.demand(ds.DDS, 1, value, 2, 10),
     ):
         with pytest.raises(TypeError, match=r"hosts must be .*; got <"):
             call()
@@ -144,11 +144,11 @@ def test_words_are_one_word(value: Any) -> None:
         ("window", lambda value: ds.utilization(ds.DDS, 7, 2, 10, window=value)),
         ("window", lambda value: ds.breakdown(ds.DDS, 7, 2, 10, window=value)),
         ("window", lambda value: ds.DDS.load("SEDP", value)),
-        ("time", lambda value: timeline.demand(ds.DDS, value, 7, 2, 10)),
-        ("hosts", lambda value: timeline.first_idle(ds.DDS, value, 2, 10)),
-        ("endpoints", lambda value: timeline.outlook(ds.DDS, 7, 2, value)),
-        ("extra", lambda value: timeline.burst_drain_time(value, 0.5)),
-        ("steady", lambda value: timeline.burst_drain_time(1, value)),
+        ("time", lambda value: drain_times.demand(ds.DDS, value, 7, 2, 10)),
+        ("hosts", lambda value: drain_times.first_idle(ds.DDS, value, 2, 10)),
+        ("endpoints", lambda value: drain_times.outlook(ds.DDS, 7, 2, value)),
+        ("extra", lambda value: drain_times.burst_drain_time(value, 0.5)),
+        ("steady", lambda value: drain_times.burst_drain_time(1, value)),
         ("processes", lambda value: uncertainty.sensitivity(ds.DDS, value, 10)),
         ("O_uni", lambda value: uncertainty.utilization_at({"O_uni": value}, ds.DDS, PAIR)),
         ("lease", lambda value: ds.Protocol("own", ds.DDS.messages, lease=value)),
@@ -182,7 +182,7 @@ def test_values_of_parameters_are_those_of_the_notation() -> None:
 def test_bursts_and_steady_states_have_a_range(value: float) -> None:
     for name, given in (("extra", (value, 0.5)), ("steady", (1, value))):
         with pytest.raises(ValueError, match=rf"{name} must be .* at most 1e\+100; got"):
-            timeline.burst_drain_time(*given)
+            drain_times.burst_drain_time(*given)
 
 
 def test_arrays_without_dimensions_are_numbers() -> None:

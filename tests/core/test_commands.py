@@ -407,8 +407,8 @@ def test_version() -> None:
 @pytest.mark.parametrize(
     ("shown", "value", "text"),
     [
-        (output.plain, 9_999_999_999.0, "9,999,999,999"),
-        (output.plain, 1e10, "1e+10"),
+        (output.as_text, 9_999_999_999.0, "9,999,999,999"),
+        (output.as_text, 1e10, "1e+10"),
         (output.percent, 0.9994, "99.9%"),
         (output.percent, 0.9995, "<100.0%"),
         (output.percent, 1.0, "100.0%"),

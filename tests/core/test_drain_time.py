@@ -13,7 +13,7 @@ import sympy as sp
 from paper_equations import multicast, unicast
 
 import discostorm as ds
-from discostorm import timeline
+from discostorm import drain_times
 from discostorm.data import data_path
 from discostorm.messages import ONCE, PROCESS, Message, Payload, Protocol, Schedule
 from discostorm.model import burst
@@ -99,7 +99,7 @@ def test_demand_is_the_sum_of_all_that_is_sent(product: Protocol, swarm: Swarm) 
     times = [0, 0.05, 0.1, 0.3, 0.5, 1, 2.5, 3.49, 3.5, 8, 8.1, 15, 23, 60]
     expected = [sum(cost for _, cost in events(product.name, *swarm, time)) for time in times]
     # Both add up a few dozen terms in float64, in another order.
-    np.testing.assert_allclose(timeline.demand(product, times, *swarm), expected, rtol=1e-12)
+    np.testing.assert_allclose(drain_times.demand(product, times, *swarm), expected, rtol=1e-12)
 
 
 @pytest.mark.parametrize("product", PRODUCTS, ids=lambda product: product.name)
@@ -112,7 +112,7 @@ def test_first_idle_is_that_of_a_queue_served_without_a_gap(
         if time > free + 1e-12:
             break
         free += cost
-    assert timeline.first_idle(product, *swarm) == pytest.approx(free, rel=1e-9)
+    assert drain_times.first_idle(product, *swarm) == pytest.approx(free, rel=1e-9)
 
 
 @pytest.mark.parametrize("product", ALL, ids=lambda product: product.name)
@@ -120,14 +120,14 @@ def test_first_idle_is_that_of_a_queue_served_without_a_gap(
 def test_drain_time_is_a_bound_and_met_by_the_line_it_comes_from(
     product: Protocol, swarm: Swarm
 ) -> None:
-    bound = timeline.drain_time(product, *swarm)
+    bound = drain_times.drain_time(product, *swarm)
     extra = burst(product, *swarm)
     steady = ds.utilization(product, *swarm, window=np.inf)
     assert extra + steady * bound == pytest.approx(bound, rel=1e-12)
-    assert timeline.first_idle(product, *swarm) <= bound * (1 + 1e-12)
+    assert drain_times.first_idle(product, *swarm) <= bound * (1 + 1e-12)
     # The line of burst and steady traffic is above the steps everywhere.
     times = np.linspace(0, 100, 4001)
-    steps = timeline.demand(product, times, *swarm)
+    steps = drain_times.demand(product, times, *swarm)
     assert np.all(steps <= (extra + steady * times) * (1 + 1e-9))
 
 
@@ -135,7 +135,7 @@ def test_drain_time_is_a_bound_and_met_by_the_line_it_comes_from(
 @pytest.mark.parametrize("window", [1, 3, 10, 20, 1e4])
 def test_critical_swarm_needs_just_the_window(product: Protocol, window: float) -> None:
     hosts = ds.saturation_hosts(product, 2, 10, window=window)
-    assert timeline.drain_time(product, hosts, 2, 10) == pytest.approx(window, rel=1e-9)
+    assert drain_times.drain_time(product, hosts, 2, 10) == pytest.approx(window, rel=1e-9)
     assert ds.utilization(product, hosts, 2, 10, window=window) == pytest.approx(1, rel=1e-9)
 
 
@@ -144,7 +144,7 @@ def test_critical_swarm_on_any_channel(name: str) -> None:
     wifi = ds.WIFI[name]
     for product in PRODUCTS:
         hosts = ds.saturation_hosts(product, 2, 10, wifi, window=product.lease)
-        lasts = timeline.drain_time(product, hosts, 2, 10, wifi)
+        lasts = drain_times.drain_time(product, hosts, 2, 10, wifi)
         assert lasts == pytest.approx(product.lease, rel=1e-9)
 
 
@@ -161,11 +161,11 @@ def test_beyond_the_last_critical_swarm_the_channel_never_recovers(product: Prot
     assert ds.utilization(product, below, 2, 10, window=np.inf) < 1
     assert ds.utilization(product, above, 2, 10, window=np.inf) > 1
     np.testing.assert_array_equal(
-        np.isinf(timeline.drain_time(product, [below, above], 2, 10)), [False, True]
+        np.isinf(drain_times.drain_time(product, [below, above], 2, 10)), [False, True]
     )
-    assert timeline.first_idle(product, above, 2, 10) == np.inf
-    assert timeline.outlook(product, below, 2, 10) == "leases at risk"
-    assert timeline.outlook(product, above, 2, 10) == "never catches up"
+    assert drain_times.first_idle(product, above, 2, 10) == np.inf
+    assert drain_times.outlook(product, below, 2, 10) == "leases at risk"
+    assert drain_times.outlook(product, above, 2, 10) == "never catches up"
 
 
 @pytest.mark.parametrize("product", PRODUCTS, ids=lambda product: product.name)
@@ -175,8 +175,8 @@ def test_outlook_changes_at_the_paper_second_and_at_the_lease(product: Protocol)
         (product.lease, "slow at best", "leases at risk"),
     ]:
         hosts = float(ds.saturation_hosts(product, 2, 10, window=window))
-        assert timeline.outlook(product, hosts * 0.999, 2, 10) == before
-        assert timeline.outlook(product, hosts * 1.001, 2, 10) == after
+        assert drain_times.outlook(product, hosts * 0.999, 2, 10) == before
+        assert drain_times.outlook(product, hosts * 1.001, 2, 10) == after
 
 
 def test_one_message_of_each_is_the_paper_however_long_its_period() -> None:
@@ -185,7 +185,7 @@ def test_one_message_of_each_is_the_paper_however_long_its_period() -> None:
     paper = Protocol("paper", rows, 20)
     assert sp.simplify(paper.burst() - ds.DDS.utilization()) == 0
     # What stays is about 1e-15 of the channel.
-    assert timeline.drain_time(paper, 7, 2, 10) == pytest.approx(
+    assert drain_times.drain_time(paper, 7, 2, 10) == pytest.approx(
         ds.utilization(ds.DDS, 7, 2, 10), rel=1e-12
     )
     assert ds.saturation_hosts(paper, 2, 10) == pytest.approx(
@@ -195,14 +195,14 @@ def test_one_message_of_each_is_the_paper_however_long_its_period() -> None:
 
 def test_extra_and_rate_of_schedules_worked_out_by_hand() -> None:
     fast, cyclone, scout = (product.messages[0].schedule for product in PRODUCTS)
-    assert fast.extra == pytest.approx(6 - 0.5 / 3)
+    assert fast.burst_count == pytest.approx(6 - 0.5 / 3)
     assert fast.per_second == pytest.approx(1 / 3)
-    assert cyclone.extra == pytest.approx(2 - 0.1 / 8)
+    assert cyclone.burst_count == pytest.approx(2 - 0.1 / 8)
     assert scout.starts == (0, 1, 3, 7)
-    assert scout.extra == pytest.approx(4 - 7 / 8)
+    assert scout.burst_count == pytest.approx(4 - 7 / 8)
     keep_alive = ZENOH_PEER.messages[-1].schedule
-    assert (keep_alive.extra, keep_alive.period) == (0, 2.5)
-    assert (ONCE.extra, ONCE.per_second) == (1, 0)
+    assert (keep_alive.burst_count, keep_alive.period) == (0, 2.5)
+    assert (ONCE.burst_count, ONCE.per_second) == (1, 0)
 
 
 @pytest.mark.parametrize("product", ALL, ids=lambda product: product.name)
@@ -217,8 +217,8 @@ def test_sent_counts_the_times(product: Protocol) -> None:
 def test_sent_keeps_the_shape() -> None:
     assert isinstance(ONCE.sent(3), float)
     assert np.shape(ONCE.sent([[0, 1], [2, 3]])) == (2, 2)
-    assert isinstance(timeline.drain_time(FAST_DDS, 3, 2, 10), float)
-    assert np.shape(timeline.drain_time(FAST_DDS, [[3], [4]], [1, 2], 10)) == (2, 2)
+    assert isinstance(drain_times.drain_time(FAST_DDS, 3, 2, 10), float)
+    assert np.shape(drain_times.drain_time(FAST_DDS, [[3], [4]], [1, 2], 10)) == (2, 2)
 
 
 def test_leases_and_periods_are_those_of_the_data_file() -> None:
@@ -278,7 +278,7 @@ def test_every_default_names_where_it_comes_from() -> None:
         ),
         (lambda: defaults("OpenDDS"), ValueError, "product must be 'Fast DDS' or.*Open"),
         (
-            lambda: timeline.drain_time(FAST_DDS, 0, 2, 10),
+            lambda: drain_times.drain_time(FAST_DDS, 0, 2, 10),
             ValueError,
             "hosts must be a finite number of at least 1 and at most 1e[+]09; got 0",
         ),
@@ -293,7 +293,7 @@ def test_every_default_names_where_it_comes_from() -> None:
             "utilization of a single host with DDS, periods of Fast DDS, 10.*; got 1",
         ),
         (
-            lambda: timeline.first_idle(FAST_DDS, cast(float, [3, 4]), 2, 10),
+            lambda: drain_times.first_idle(FAST_DDS, cast(float, [3, 4]), 2, 10),
             TypeError,
             "hosts must be one number, not an array",
         ),
@@ -334,12 +334,12 @@ def test_every_default_names_where_it_comes_from() -> None:
             r"hops must be 'up', 'down' or both, each once; got \('up', 'up'\)",
         ),
         (
-            lambda: timeline.outlook(FAST_DDS, 3, -2, 10),
+            lambda: drain_times.outlook(FAST_DDS, 3, -2, 10),
             ValueError,
             "processes must be a finite number of at least 1 and at most.*-2",
         ),
         (
-            lambda: timeline.demand(FAST_DDS, [1, 2, 3], [3, 4], 2, 10),
+            lambda: drain_times.demand(FAST_DDS, [1, 2, 3], [3, 4], 2, 10),
             ValueError,
             r"broadcast.*time \(3,\), .*hosts \(2,\)",
         ),
@@ -356,7 +356,7 @@ def test_errors_name_parameter_value_and_range(
     ("steady", "time"), [(0, 2), (sp.S.Half, 4), (1, sp.oo), (sp.Rational(3, 2), sp.oo)]
 )
 def test_drain_time_in_symbols(steady: sp.Expr, time: sp.Expr) -> None:
-    assert timeline.DRAIN.subs({timeline.BURST: 2, timeline.STEADY: steady}) == time
+    assert drain_times.DRAIN_TIME.subs({drain_times.BURST: 2, drain_times.STEADY: steady}) == time
 
 
 def test_traffic_that_just_fills_the_channel_is_never_drained() -> None:
@@ -364,8 +364,8 @@ def test_traffic_that_just_fills_the_channel_is_never_drained() -> None:
     message = Message("m", "p", "multicast", "UDP", Payload(64, 64, 64, "made up"), PROCESS, 1)
     product = Protocol("made up", (replace(message, schedule=Schedule((0,), 1)),), 1)
     wifi = ds.Wifi("made up", ds.Link(2048, 0), ds.Link(2048, 0))
-    assert timeline.drain_time(product, 1, 1, 0, wifi) == math.inf
-    assert timeline.drain_time(product, [1, 1], 1, 0, wifi).tolist() == [math.inf, math.inf]
+    assert drain_times.drain_time(product, 1, 1, 0, wifi) == math.inf
+    assert drain_times.drain_time(product, [1, 1], 1, 0, wifi).tolist() == [math.inf, math.inf]
 
 
 @pytest.mark.parametrize(
@@ -409,14 +409,14 @@ def test_a_channel_is_idle_at_once_if_nothing_is_sent_at_zero() -> None:
     message = ds.DDS.messages[0]
     for starts in ((1,), (8,)):
         late = Protocol("late", (replace(message, schedule=Schedule(starts, 8.5)),), 10)
-        assert timeline.first_idle(late, 3, 2, 10) == 0
+        assert drain_times.first_idle(late, 3, 2, 10) == 0
     soon = Protocol("soon", (replace(message, schedule=Schedule((0.5,), 8.5)),), 10)
-    assert timeline.drain_time(soon, 1000, 2, 10) > 0.5
-    assert timeline.first_idle(soon, 1000, 2, 10) == 0
+    assert drain_times.drain_time(soon, 1000, 2, 10) > 0.5
+    assert drain_times.first_idle(soon, 1000, 2, 10) == 0
 
 
 def test_the_window_of_a_single_host_is_the_least() -> None:
-    alone = timeline.drain_time(FAST_DDS, 1, 2, 10)
+    alone = drain_times.drain_time(FAST_DDS, 1, 2, 10)
     # A window longer by rounding alone.
     least = alone * (1 + 1e-12)
     assert ds.saturation_hosts(FAST_DDS, 2, 10, window=least) == pytest.approx(1, abs=1e-9)
@@ -442,7 +442,7 @@ def test_tables_without_periods_have_a_burst_and_no_steady_state() -> None:
     assert ds.utilization(ds.DDS, 7, 2, 10, window=math.inf) == 0
     found = ds.saturation_hosts(ds.DDS, 2, 10, window=[1, math.inf])
     np.testing.assert_array_equal(found, [ds.saturation_hosts(ds.DDS, 2, 10), math.inf])
-    assert timeline.drain_time(ds.DDS, 7, 2, 10) == ds.utilization(ds.DDS, 7, 2, 10)
+    assert drain_times.drain_time(ds.DDS, 7, 2, 10) == ds.utilization(ds.DDS, 7, 2, 10)
     assert ds.utilization(ds.DDS, 7, 2, 10, window=4) == pytest.approx(
         ds.utilization(ds.DDS, 7, 2, 10) / 4, rel=1e-15
     )

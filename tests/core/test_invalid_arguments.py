@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 import discostorm as ds
-from discostorm import robots, timeline, uncertainty, wifi
+from discostorm import drain_times, robots, uncertainty, wifi
 from discostorm.messages import PROCESS
 from discostorm.notation import N_H, N_P
 
@@ -175,9 +175,9 @@ def test_unknown_model_unit_fleet_product_or_padding() -> None:
     for call in (ds.DDS.utilization, ds.DDS.messages[0].load):
         fails(TypeError, "fleet must be a Fleet; got 3", call, fleet=3)
     text = "protocol must be a Protocol; got 5"
-    for call in (timeline.drain_time, timeline.outlook, timeline.first_idle):
+    for call in (drain_times.drain_time, drain_times.outlook, drain_times.first_idle):
         fails(TypeError, text, call, protocol=5, **SWARM)
-    fails(TypeError, text, timeline.demand, protocol=5, time=1, **SWARM)
+    fails(TypeError, text, drain_times.demand, protocol=5, time=1, **SWARM)
     fails(
         TypeError, "padding must be an OfdmSymbols; got 3", ds.Link, rate=1e6, overhead=0, padding=3
     )

@@ -9,7 +9,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 import discostorm as ds
-from discostorm import timeline
+from discostorm import drain_times
 from discostorm.cli import main
 from discostorm.data import data_path
 
@@ -57,9 +57,9 @@ def test_messages_shorten_long_names(folder: Path) -> None:
 def test_the_first_silence_of_a_large_fleet_is_found_at_once() -> None:
     table = ds.PROTOCOLS["DDS, periods of Fast DDS"]
     began = time.process_time()
-    found = timeline.first_idle(table, 2, 1, 1e9)
+    found = drain_times.first_idle(table, 2, 1, 1e9)
     assert time.process_time() - began < 1
-    bound = timeline.drain_time(table, 2, 1, 1e9)
+    bound = drain_times.drain_time(table, 2, 1, 1e9)
     assert bound * (1 - 1e-6) < found <= bound * (1 + 1e-9)
 
 
@@ -73,14 +73,14 @@ def test_a_channel_that_is_all_but_full_is_refused() -> None:
     with pytest.raises(
         ValueError, match=r"must be fewer to say when .* 1e\+06 times are possible; got .*"
     ):
-        timeline.first_idle(table, low, 2, 10)
+        drain_times.first_idle(table, low, 2, 10)
 
 
 def test_no_burst_beside_a_full_channel_is_never_through_without_a_warning() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert timeline.burst_drain_time(0, 1) == np.inf
-        assert list(np.asarray(timeline.burst_drain_time([0, 0, 1], [0.5, 1, 1]))) == [
+        assert drain_times.burst_drain_time(0, 1) == np.inf
+        assert list(np.asarray(drain_times.burst_drain_time([0, 0, 1], [0.5, 1, 1]))) == [
             0,
             np.inf,
             np.inf,

@@ -9,7 +9,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 import discostorm as ds
-from discostorm import _names, figures, notation, robots, saturation, timeline, uncertainty
+from discostorm import _names, drain_times, figures, notation, robots, saturation, uncertainty
 from discostorm.cli import main
 from discostorm.cli.options import PROTOCOL_SETS
 from discostorm.data import read_data
@@ -72,9 +72,9 @@ RADIO = ds.Radio("802.11ac", width=80e6, streams=2)
         lambda protocol, wifi: ds.breakdown(protocol, FLEET, wifi=wifi).to_csv(),
         lambda protocol, wifi: ds.saturation_hosts(protocol, 2, 10, wifi),
         lambda protocol, wifi: ds.drain_time(protocol, FLEET, wifi=wifi),
-        lambda protocol, wifi: timeline.demand(protocol, 1, 7, 2, 10, wifi),
-        lambda protocol, wifi: timeline.first_idle(protocol, 7, 2, 10, wifi),
-        lambda protocol, wifi: timeline.outlook(protocol, 7, 2, 10, wifi),
+        lambda protocol, wifi: drain_times.demand(protocol, 1, 7, 2, 10, wifi),
+        lambda protocol, wifi: drain_times.first_idle(protocol, 7, 2, 10, wifi),
+        lambda protocol, wifi: drain_times.outlook(protocol, 7, 2, 10, wifi),
         lambda protocol, _: ds.bounds(protocol, FLEET),
         lambda protocol, _: uncertainty.saturation_bounds(protocol, 2, 10),
         lambda protocol, _: ds.sensitivity(protocol, 2, 10).to_csv(),
@@ -215,11 +215,11 @@ def test_a_release_that_a_distribution_does_not_ship_is_refused(
 
 def test_no_name_means_two_products() -> None:
     names = [*ds.PROTOCOLS, *aliases()]
-    assert len({_names.key(name) for name in names}) == len(names)
-    assert not {_names.key(name) for name in names} & PROTOCOL_SETS.keys()
+    assert len({_names.normalize(name) for name in names}) == len(names)
+    assert not {_names.normalize(name) for name in names} & PROTOCOL_SETS.keys()
     assert set(aliases().values()) <= set(ds.PROTOCOLS)
     others = [*robots.robots(), *robots.aliases()]
-    assert len({_names.key(name) for name in others}) == len(others)
+    assert len({_names.normalize(name) for name in others}) == len(others)
 
 
 @pytest.mark.parametrize(

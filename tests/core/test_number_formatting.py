@@ -84,17 +84,20 @@ def test_a_channel_that_is_just_full_does_not_fit() -> None:
 @pytest.mark.parametrize(
     ("written", "text"),
     [
-        (wording.durations(1.514, 27.67), "1.51 to 27.7 s"),
-        (wording.durations(0.0123, 1.5), "12.3 ms to 1.50 s"),
-        (wording.durations(2, 2), "2.00 s"),
-        (wording.durations(469, float("inf"), never="never done"), "7.8 minutes to never done"),
-        (wording.percents(0.1, 0.234), "10% to 23%"),
-        (wording.percents(0.5, 0.5), "50%"),
+        (wording.time_range(1.514, 27.67), "1.51 to 27.7 s"),
+        (wording.time_range(0.0123, 1.5), "12.3 ms to 1.50 s"),
+        (wording.time_range(2, 2), "2.00 s"),
+        (
+            wording.time_range(469, float("inf"), never="never done"),
+            "7.8 minutes to never done",
+        ),
+        (wording.percent_range(0.1, 0.234), "10% to 23%"),
+        (wording.percent_range(0.5, 0.5), "50%"),
         (wording.format_load(1.38, "of it", "its capacity"), "138% of it"),
         (wording.format_load(28.44, "of it", "its capacity"), "28.4 times its capacity"),
         (wording.format_load(1.5e6, "of it", "its capacity"), "1.5e+06 times its capacity"),
-        (wording.airtime(1.375, 1), "1.38 s"),
-        (wording.airtime(0.1, float("inf")), "10% of the time"),
+        (wording.airtime_text(1.375, 1), "1.38 s"),
+        (wording.airtime_text(0.1, float("inf")), "10% of the time"),
         (wording.count_noun(1, "host"), "1 host"),
         (wording.count_noun(24, "process", "es"), "24 processes"),
         (wording.join_sentences("it fits", "", "both agree"), "it fits. Both agree"),
@@ -116,10 +119,10 @@ def test_lists_in_words() -> None:
 
 def test_lines_are_broken_between_words_and_not_before_a_unit() -> None:
     text = "- " + "word " * 14 + "and 144 Mbit/s"
-    first, second = wording.wrapped(text).split("\n")
+    first, second = wording.wrap(text).split("\n")
     assert len(first) <= 79
     assert second == "  144 Mbit/s"
-    assert wording.wrapped("1 host " + "word " * 16).split("\n")[1].startswith("word")
-    assert wording.wrapped("12. " + "word " * 16).split("\n")[1].startswith("    word")
+    assert wording.wrap("1 host " + "word " * 16).split("\n")[1].startswith("word")
+    assert wording.wrap("12. " + "word " * 16).split("\n")[1].startswith("    word")
     assert wording.capitalized("802.11n and Zenoh") == "802.11n and Zenoh"
     assert wording.capitalized("") == ""

@@ -19,7 +19,7 @@ from test_lab_programs import wait_until
 
 import discostorm as ds
 from discostorm.data import read_data
-from discostorm.measured import products
+from discostorm.protocols.measured_tables import products
 from discostorm_planner.remedy_rules import simulation_caution
 
 ROOT = Path(__file__).resolve().parents[2]

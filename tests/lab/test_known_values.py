@@ -153,7 +153,7 @@ def test_a_staggered_start_takes_as_many_seconds_as_the_airtime() -> None:
         (output.format_seconds, 12.3456, "12.3"),
         (output.format_seconds, 1_234.56, "1,234.6"),
         (output.format_seconds, 1_234_567.0, "1.23e+06"),
-        (output.plain, 12_345_678_901.0, "1.23e+10"),
+        (output.as_text, 12_345_678_901.0, "1.23e+10"),
         (output.percent, 12_345_678.0, "1.23e+09%"),
     ],
 )

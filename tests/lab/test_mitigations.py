@@ -5,14 +5,13 @@ import pytest
 from numpy.typing import NDArray
 
 import discostorm as ds
-from discostorm import measured
 from discostorm.data import read_data
 from discostorm.messages import HOPS
 from discostorm.model import burst
-from discostorm.protocols import MITIGATED
+from discostorm.protocols import MITIGATED, measured_tables
 from discostorm_book import comparison, lab_counts
 
-TABLES = {name: ds.PROTOCOLS[name] for name in measured.configurations()}
+TABLES = {name: ds.PROTOCOLS[name] for name in measured_tables.configurations()}
 SERVERS = [name for name in TABLES if "Discovery Server" in name]
 each_table = pytest.mark.parametrize("name", TABLES)
 each_server = pytest.mark.parametrize("name", SERVERS)
@@ -300,7 +299,7 @@ def test_tables_add_up_what_matches_and_what_does_not(name: str) -> None:
         if row["use"] == "test"
     ]
     product, variant = (
-        {**measured.products(), **measured.configurations()}[name][column]
+        {**measured_tables.products(), **measured_tables.configurations()}[name][column]
         for column in ("product", "variant")
     )
     mine = [

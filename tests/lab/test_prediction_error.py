@@ -15,10 +15,11 @@ from run_grid import GRIDS
 from support import ROOT
 
 import discostorm as ds
-from discostorm import measured
+from discostorm import prediction_error
 from discostorm.cli import main
 from discostorm.data import read_data
 from discostorm.messages import header_bytes
+from discostorm.protocols import measured_tables
 from discostorm.wifi import Cast, downlink_airtime, uplink_airtime
 from discostorm_book import lab_counts
 
@@ -27,7 +28,7 @@ PRODUCTS = ("Fast DDS", "Cyclone DDS", "Cyclone DDS, version 11", "Zenoh peer, t
 
 
 def test_the_tables_are_what_the_counts_say() -> None:
-    swarms = [row for name in measured.product_releases() for row in lab.held_out_rows(name)]
+    swarms = [row for name in measured_tables.product_releases() for row in lab.held_out_rows(name)]
     for name, rows, package in (
         ("bands", [*lab.error_band_rows(), *lab.release_band_rows(swarms)], "discostorm"),
         ("release_airtime", swarms, "discostorm_book"),
@@ -77,7 +78,7 @@ def test_swarms_outside_fit_and_interval_are_inside_as_often_as_stated() -> None
     """The intervals are those of the fitted swarms, each left out once; the others test them."""
     rows = read_data("measured/release_airtime.csv", "discostorm_book")
     inside, expected, off, tried = 0, 0.0, [], 0
-    for name in measured.product_releases():
+    for name in measured_tables.product_releases():
         ratios = {
             use: [
                 float(row["airtime_s"]) / float(row["expected_s"])
@@ -87,14 +88,14 @@ def test_swarms_outside_fit_and_interval_are_inside_as_often_as_stated() -> None
             for use in ("fit", "test")
         }
         fit = ratios["fit"]
-        band = measured.ErrorBand(min(fit), max(fit), 0, len(fit), 1, 1, 1)
+        band = prediction_error.ErrorBand(min(fit), max(fit), 0, len(fit), 1, 1, 1)
         assert band.coverage
         inside += sum(band.low <= ratio <= band.high for ratio in ratios["test"])
         expected += band.coverage * len(ratios["test"])
         off += [abs(ratio - 1) for ratio in ratios["test"]]
         tried += len(ratios["test"])
         # With all swarms, as they are told, nine in ten.
-        (told,) = measured.error_bands(name)
+        (told,) = prediction_error.error_bands(name)
         assert told.points == len(fit) + len(ratios["test"])
         assert told.coverage
         assert told.coverage > 0.88
@@ -137,7 +138,7 @@ def test_intervals_within_the_measured_range_are_a_fifth_wide_at_most_in_the_med
 
 
 def test_few_swarms_give_no_interval() -> None:
-    two = measured.ErrorBand(0.9, 1.1, 0.1, 2, 2, 1, 1)
+    two = prediction_error.ErrorBand(0.9, 1.1, 0.1, 2, 2, 1, 1)
     assert two.coverage is None
     assert two.to_dict()["coverage"] is None
     assert two.sentence().endswith("With so few swarms, we give no interval.")
@@ -145,10 +146,10 @@ def test_few_swarms_give_no_interval() -> None:
     ratios = [1 + number / 100 for number in range(39)]
     assert lab.ratio_interval(ratios[:38]) == (1.0, 1.37)
     assert lab.ratio_interval(ratios) == (1.01, 1.37)
-    most = measured.ErrorBand(*lab.ratio_interval(ratios), 0.1, 39, 1, 1, 1)
+    most = prediction_error.ErrorBand(*lab.ratio_interval(ratios), 0.1, 39, 1, 1, 1)
     assert most.coverage == pytest.approx(0.9)
     assert most.sentence().startswith("In 37 of 39 swarms within these sizes, ")
-    many = measured.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)
+    many = prediction_error.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)
     assert many.coverage == pytest.approx(0.9)
     assert "We expect 90% of such swarms in this range; " in many.sentence()
     assert "expect a factor of 2, as far as we know" in many.sentence()
@@ -160,12 +161,12 @@ def test_swarms_of_the_release_that_ros_ships_count_for_the_table_that_stands_fo
     of_kilted = {point.name for point in lab.shipped_points("Fast DDS 3.6")}
     assert of_kilted == {point.name for point in lab.release_points("fast_dds-3.2.5")}
     assert not list(lab.shipped_points("Fast DDS 2.14"))
-    band = measured.error_bands("Cyclone DDS")[0]
+    band = prediction_error.error_bands("Cyclone DDS")[0]
     told = [
         airtime_counted(point, "startup", False)[0]
         / airtime_expected(ds.PROTOCOLS["Cyclone DDS"], point.fleet, "startup")
         for point in lab.shipped_points("Cyclone DDS")
-        if max(measured.relative_fleet_size(point.fleet, (8, 12, 60))) <= 1
+        if max(prediction_error.relative_fleet_size(point.fleet, (8, 12, 60))) <= 1
     ]
     assert band.low <= min(told) < max(told) <= band.high + 5e-4
 
@@ -187,8 +188,8 @@ def test_refits_say_what_the_tables_say_and_help_where_they_were_taken() -> None
         for key, row in mine.items():
             taken = np.median(airtime_counted(points[key], "startup", zenoh))
             told = airtime_expected(table, points[key].fleet, "startup")
-            size = max(measured.relative_fleet_size(points[key].fleet, table.captured))
-            assert row["swarms"] == SIZES[np.searchsorted(measured.SIZE_CLASSES, size)]
+            size = max(prediction_error.relative_fleet_size(points[key].fleet, table.captured))
+            assert row["swarms"] == SIZES[np.searchsorted(prediction_error.SIZE_CLASSES, size)]
             assert float(row["measured_s"]) == pytest.approx(taken, rel=1e-5)
             # Zenoh's table is as it was: the refit was further off.
             assert float(row["before_s" if zenoh else "after_s"]) == pytest.approx(told, rel=1e-5)
@@ -226,7 +227,7 @@ def test_a_plan_tells_its_band_and_how_far_it_was_measured(name: str) -> None:
     table = ds.PROTOCOLS[name]
     assert table.captured is not None
     inside, wider, beyond = (
-        measured.error_band(name, ds.Fleet.swarm(hosts, 1, 10), table.captured)
+        prediction_error.error_band(name, ds.Fleet.swarm(hosts, 1, 10), table.captured)
         for hosts in (4, 12, 40)
     )
     assert inside
@@ -244,7 +245,7 @@ def test_a_plan_tells_its_band_and_how_far_it_was_measured(name: str) -> None:
     told = " ".join(plan.why().split())
     assert f"{wider.low:.2f} to {wider.high:.2f} times the airtime of the model" in told
     assert plan.to_dict()["band"]["high"] == wider.high
-    many = measured.error_band(name, ds.Fleet.swarm(3, 1, 678), table.captured)
+    many = prediction_error.error_band(name, ds.Fleet.swarm(3, 1, 678), table.captured)
     assert many
     assert not many.beyond
     assert many.up_to == np.inf
@@ -252,15 +253,17 @@ def test_a_plan_tells_its_band_and_how_far_it_was_measured(name: str) -> None:
 
 
 def test_a_fleet_as_large_as_the_largest_held_out_is_not_beyond() -> None:
-    largest = round(100 * measured.error_bands("Cyclone DDS")[-1].most_hosts)
+    largest = round(100 * prediction_error.error_bands("Cyclone DDS")[-1].most_hosts)
     for hosts, beyond in ((largest, False), (largest + 1, True)):
-        found = measured.error_band("Cyclone DDS", ds.Fleet.swarm(hosts, 1, 10), (100, 1000, 10))
+        found = prediction_error.error_band(
+            "Cyclone DDS", ds.Fleet.swarm(hosts, 1, 10), (100, 1000, 10)
+        )
         assert found is not None
         assert found.beyond == beyond
     # Of a table that was measured without endpoints each one counts.
-    assert measured.relative_fleet_size(ds.Fleet.swarm(2, 2, 7), (4, 8, 0)) == (0.5, 7)
-    assert measured.max_covered_hosts((4, 8, 0), 1) == 8
-    assert measured.max_covered_hosts((4, 8, 0), 8) == 2
+    assert prediction_error.relative_fleet_size(ds.Fleet.swarm(2, 2, 7), (4, 8, 0)) == (0.5, 7)
+    assert prediction_error.max_covered_hosts((4, 8, 0), 1) == 8
+    assert prediction_error.max_covered_hosts((4, 8, 0), 8) == 2
 
 
 def test_the_papers_tables_have_no_band_and_no_reboot() -> None:
@@ -331,7 +334,7 @@ def test_utilization_says_the_band() -> None:
     asked = ["utilization", "--hosts", "5", "--processes", "2", "--endpoints", "10"]
     asked += ["--protocol", "Cyclone DDS 0.10"]
     told = " ".join(CliRunner().invoke(main, asked).output.split())
-    band = measured.error_band("Cyclone DDS", ds.Fleet.swarm(5, 2, 10), (8, 12, 60))
+    band = prediction_error.error_band("Cyclone DDS", ds.Fleet.swarm(5, 2, 10), (8, 12, 60))
     assert band
     assert band.sentence() in told
     (row,) = json.loads(CliRunner().invoke(main, [*asked, "--json"]).output)

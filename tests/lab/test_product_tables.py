@@ -11,16 +11,17 @@ import pytest
 import sympy as sp
 
 import discostorm as ds
-from discostorm import measured
 from discostorm.data import data_path, read_data
 from discostorm.messages import UNITS
-from discostorm.protocols import MEASURED
+from discostorm.protocols import MEASURED, measured_tables
 from discostorm.protocols.measured_tables import measured_table, message_rows
 from discostorm_book import comparison, lab_counts
 from discostorm_capture import rtps, zenoh_messages
 from discostorm_capture.zenoh import TCP_KINDS
 
-TABLES = {name: ds.PROTOCOLS.get(name) or measured_table(name) for name in measured.products()}
+TABLES = {
+    name: ds.PROTOCOLS.get(name) or measured_table(name) for name in measured_tables.products()
+}
 each_table = pytest.mark.parametrize("name", TABLES)
 SWARM = ds.Fleet.swarm(3, 2, 10)
 MATCHING = ds.Fleet(SWARM.groups, matching=1)
@@ -57,8 +58,8 @@ def test_each_row_says_where_it_is_from() -> None:
         assert row["per_unit"] or "measured" in row["source"], row
         assert float(row["per_unit"] or 1) > 0
     for file, tables in (
-        ("as_built", measured.products()),
-        ("releases", measured.product_releases()),
+        ("as_built", measured_tables.products()),
+        ("releases", measured_tables.product_releases()),
     ):
         fitted = {
             (row["protocol"], row["message"]): row for row in read_data(f"measured/{file}.csv")
@@ -108,7 +109,7 @@ def test_what_is_off_has_a_reason_and_what_decides_is_of_a_product() -> None:
     assert {
         row["reason"] for row in (*read_data("measured/misses.csv", "discostorm_book"), *causes)
     } <= reasons
-    known = {**measured.products(), **measured.configurations()}.values()
+    known = {**measured_tables.products(), **measured_tables.configurations()}.values()
     tables = {(row["product"], variant) for row in known for variant in ("", row["variant"])}
     assert {(row["product"], row["variant"]) for row in causes} <= tables
 
@@ -171,9 +172,9 @@ def test_units_by_hand() -> None:
     assert UNITS["matched writer and process on another host"].count(SWARM) == 0
     assert UNITS["unmatched endpoint"].count(SWARM) == 60
     assert UNITS["unmatched endpoint and other host"].count(SWARM) == 60 * 2
-    symbols = dict(zip(ds.fleet.SWARM.counts(), (3, 2, 10), strict=True))
+    symbols = dict(zip(ds.fleet.PAPER_SWARM.counts(), (3, 2, 10), strict=True))
     for name, unit in UNITS.items():
-        symbolic = unit.count(ds.Fleet(ds.fleet.SWARM.groups, matching=1))
+        symbolic = unit.count(ds.Fleet(ds.fleet.PAPER_SWARM.groups, matching=1))
         assert float(sp.sympify(symbolic).subs(symbols)) == by_hand[name]
 
 
@@ -214,7 +215,7 @@ def test_a_plan_and_an_outlook_can_be_had(name: str) -> None:
     plan = ds.plan(SWARM, TABLES[name])
     assert plan.utilization == ds.utilization(TABLES[name], plan.fleet)
     others = {r.protocol.name for r in plan.remedies if r.kind == "middleware"}
-    assert others <= (MEASURED | measured.product_releases().keys()) - {
+    assert others <= (MEASURED | measured_tables.product_releases().keys()) - {
         name,
         "Cyclone DDS, wired",
     }  # on Wi-Fi nobody gets that one

@@ -14,12 +14,12 @@ from command_line import NAV2, SWARM_OPTIONS, read_csv, read_json, run
 from support import REFERENCE, ROOT
 
 import discostorm as ds
-from discostorm import timeline, wording
+from discostorm import drain_times, wording
 from discostorm.cli import main
 from discostorm.cli.options import LINK_OPTIONS
 from discostorm.data import data_path
 from discostorm.protocols import protocols_in_order
-from discostorm.wording import RECORD
+from discostorm.wording import TCPDUMP
 from discostorm_book import show
 from discostorm_book.ledger.claims import VERDICTS, ledger
 
@@ -59,7 +59,7 @@ def test_simulate_tells_the_drain_time_where_recovery_is_not_modeled() -> None:
     command = f"simulate|fleet.toml|--protocol|{table.name}|--runs|2"
     told = run(command)
     assert told.exit_code == 0
-    drain = wording.duration(float(timeline.drain_time(table, ds.Fleet.from_toml("fleet.toml"))))
+    drain = wording.duration(float(drain_times.drain_time(table, ds.Fleet.from_toml("fleet.toml"))))
     assert told.stdout.startswith(f"Drain time: startup keeps the channel busy for {drain} if")
     assert f"Note: recovery is not simulated with {table.name}" in told.stderr
     assert told.stdout.count("not simulated") == 2
@@ -70,7 +70,7 @@ def test_simulate_tells_the_drain_time_where_recovery_is_not_modeled() -> None:
 def test_simulate_says_first_when_all_know_each_other() -> None:
     told = run("simulate|fleet.toml|--runs|2|--json")
     times = read_json(told)["convergence_time"]
-    said = wording.durations(min(times), max(times))
+    said = wording.time_range(min(times), max(times))
     first = run("simulate|fleet.toml|--runs|2").stdout.splitlines()[0]
     assert first == f"Your robots know each other after {said} (2 runs)."
     never = run("simulate|fleet.toml|--runs|2|--until|0.001").stdout.splitlines()[0]
@@ -192,7 +192,7 @@ def test_whoever_is_told_how_to_record_loses_nothing() -> None:
     # Whatever is written: no filter, or the one that keeps fragments, Zenoh's TCP and IPv6.
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     texts = {"README": readme, "help": every_command()["capture"].help or ""}
-    whole = RECORD.partition("{file}")[2]
+    whole = TCPDUMP.partition("{file}")[2]
     for name, text in texts.items():
         found = re.findall(r"tcpdump -i \S+ -s 0 -w \S+( '[^']*'| *)", text)
         assert len(found) == text.count("tcpdump -i") > 0, name

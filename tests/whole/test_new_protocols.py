@@ -31,7 +31,7 @@ PROBE = """
 import json, sys
 from pathlib import Path
 import discostorm as ds
-from discostorm import figures, timeline, uncertainty
+from discostorm import figures, drain_times, uncertainty
 from discostorm.cli import main
 
 sys.path.extend(map(str, Path("scripts").rglob("")))
@@ -48,7 +48,7 @@ found = {
     "plan": ds.plan(ds.Fleet.swarm(2, 1, 2), made_up).protocol.name,
     "color": figures.COLORS["Made up"],
     "bounds": list(map(float, uncertainty.bounds(made_up, **swarm))),
-    "outlook": timeline.outlook(made_up, **swarm),
+    "outlook": drain_times.outlook(made_up, **swarm),
     "calculator": '["SPDP", "multicast", 164,' in script and '"Made up": {' in script,
 }
 print(json.dumps(found))

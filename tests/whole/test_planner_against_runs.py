@@ -7,7 +7,7 @@ import numpy as np
 
 import discostorm as ds
 from discostorm.data import read_data
-from discostorm.measured import product_releases
+from discostorm.protocols.measured_tables import product_releases
 from discostorm_book import lab_counts
 from discostorm_planner.changes import Change
 from discostorm_planner.protocol_changes import protocol_changes

@@ -656,7 +656,7 @@
     return `The airtime assumes: ${MODEL.topology} · simultaneous startup · ${frames} · no losses · no collisions.${captured}`;
   }
 
-  /** How far a measured table was off where it was not fitted, as `discostorm.measured.error_band` has it. */
+  /** How far a measured table was off where it was not fitted, as `discostorm.prediction_error.error_band` has it. */
   function bandOf({ band, measured: [hosts, processes, endpoints] }, [ofHosts, ofAll, ofProcess]) {
     if (!band.length) return "";
     const many = Math.max(ofHosts / hosts, ofAll / processes);

@@ -5,15 +5,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 
-from discostorm import figures, timeline, wording
+from discostorm import drain_times, figures, wording
 from discostorm.data import read_data
 from discostorm.messages import PAPER_WINDOW
 from discostorm.protocols import PROTOCOLS
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Radio
 
-#: Minimum number of runs of a setting before its number of robots may be given as a range.
-MOST_RUNS = 400
+#: Maximum number of runs of a setting; if they do not decide how many robots fit, it has a range.
+MAX_RUNS = 400
 #: Frames of an A-MPDU.
 MPDUS = 64
 _ROBOT = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
@@ -21,7 +21,7 @@ _ROBOT = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 
 @dataclass(frozen=True)
 class Assumption:
-    """An assumption in place of the paper's: computed, measured or simulated, with its needs."""
+    """An assumption that replaces one of the paper's, and the assumptions that it needs."""
 
     key: str
     name: str
@@ -77,8 +77,8 @@ def fleet_limits() -> Iterator[FleetLimit]:
         hosts = float(saturation_hosts(table, *_ROBOT, wifi=wifi, window=within))
         fit = wording.last_integer_below(hosts)
         if "periods" in on and "as built" not in on:
-            # Use the exact time, not its bound: between real messages there are gaps earlier.
-            while timeline.first_idle(table, fit + 1, *_ROBOT, wifi=wifi) <= within:
+            # Use the exact time: gaps between messages leave the channel idle before its bound.
+            while drain_times.first_idle(table, fit + 1, *_ROBOT, wifi=wifi) <= within:
                 fit += 1
         yield FleetLimit(on, protocol, fit, within, hosts, (fit, fit))
     yield from _simulated_rungs()

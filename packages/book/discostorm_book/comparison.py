@@ -74,7 +74,7 @@ def _count_messages(
     for message in messages:
         if (message.kind, single_hop(message)) in kinds:
             number = expected_count(message, point.fleet, window)
-            total += number * (message.frames > 0)  # a part of another is not counted
+            total += number * (message.frames > 0)  # a message inside another has no frame
             size += number * message.payload.nominal
     row: dict[str, float] = {}
     for end, column, computed in (("", runs[:, 0], total), ("_bytes", runs[:, 2], size)):

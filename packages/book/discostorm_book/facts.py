@@ -18,7 +18,7 @@ _SCALES = {row["unit"]: float(row["factor"]) for row in read_data("facts/units.c
 NUMBER_WORDS = {row["word"]: float(row["number"]) for row in read_data("facts/words.csv", _PACKAGE)}
 
 #: Text with digits that states no result: code, formulas, links, names, numbers of sections.
-_STATES_NOTHING = re.compile(
+_NOT_A_RESULT = re.compile(
     r"""
     ^```.*?^```            # code and directives
     | ^:{4,}\{.*$          # and what they are given
@@ -59,17 +59,17 @@ class Numeral:
     end: int
     text: str
     value: float
-    slack: float
+    tolerance: float
     #: Words such as "two" may state a fact or not.
     optional: bool = False
 
     def states(self, fact: float) -> bool:
         """Return whether this is the fact, rounded."""
-        return abs(fact - self.value) <= self.slack * (1 + 1e-9)
+        return abs(fact - self.value) <= self.tolerance * (1 + 1e-9)
 
 
 def facts(of: str = "", **values: Any) -> None:
-    """Keep values in SI units for the text below to state; `of` begins a paragraph elsewhere."""
+    """Keep SI values that the text below must state, or the paragraph that begins with `of`."""
     shown = [f"{name.replace('_', ' ')} {float(value):.4g}" for name, value in values.items()]
     # Ten digits hide the last bit, which differs between processors. JSON has several ways to write
     # a number, so the values are kept as text.
@@ -79,7 +79,7 @@ def facts(of: str = "", **values: Any) -> None:
 
 def numerals(text: str) -> list[Numeral]:
     """Return the numbers of a text that state something, in its order."""
-    open_text = _STATES_NOTHING.sub(lambda match: " " * len(match[0]), text)
+    open_text = _NOT_A_RESULT.sub(lambda match: " " * len(match[0]), text)
     numbers = []
     for match in _NUMERAL.finditer(open_text):
         scale = _unit_factor(open_text, match.end())
@@ -88,12 +88,12 @@ def numerals(text: str) -> list[Numeral]:
         step = 10.0**-decimals
         if not decimals and _ABOUT.search(open_text[: match.start()]):
             step = 10.0 ** (len(digits) - len(digits.rstrip("0")))
-        value, slack = float(digits) * scale, step / 2 * scale
-        numbers.append(Numeral(*match.span(), match[0], value, slack))
+        value, tolerance = float(digits) * scale, step / 2 * scale
+        numbers.append(Numeral(*match.span(), match[0], value, tolerance))
     for match in _WORD.finditer(open_text):
         value = NUMBER_WORDS[match[0].lower()]
-        slack = 0.05 if value < 1 else 0.5
-        numbers.append(Numeral(*match.span(), match[0], value, slack, optional=True))
+        tolerance = 0.05 if value < 1 else 0.5
+        numbers.append(Numeral(*match.span(), match[0], value, tolerance, optional=True))
     return sorted(numbers, key=lambda numeral: numeral.start)
 
 

@@ -23,9 +23,9 @@ CONFIGURATIONS = {
 RESTART_DELAY = 3.0
 #: An event in which a process joins that was not there before.
 _OUTAGE = r"outage of \d+ s"
-_PAIRS = read_data("measured/pairs_observed.csv", "discostorm_book")
+_PAIR_ROWS = read_data("measured/pairs_observed.csv", "discostorm_book")
 #: Subjects of ``data/measured/deaths.csv``: processes that knew each other, then late joiners.
-_KNOWN, _LATE = ([row["who"] for row in _PAIRS if row["when"] == w] for w in ("known", "late"))
+_KNOWN, _LATE = ([row["who"] for row in _PAIR_ROWS if row["when"] == w] for w in ("known", "late"))
 
 
 def observed_pairs(name: str) -> list[tuple[str, str, str]]:
@@ -35,7 +35,7 @@ def observed_pairs(name: str) -> list[tuple[str, str, str]]:
     others = "robots 2 to 4" if "orphans" in present else "robots 1 to 4"
     return [
         (row["one"], row["other"], wording.capitalized(row["name"].format(others=others)))
-        for row in _PAIRS
+        for row in _PAIR_ROWS
         if row["who"] in present
     ]
 

@@ -11,10 +11,10 @@ from discostorm_simulation.result import CAUSES
 
 #: Random seed of all starts; the chapter's sweeps have the same seed.
 SEED = 2026
-_WORDS = read_data("simulated/words_of_trace.csv", "discostorm_book")
+_WORD_ROWS = read_data("simulated/words_of_trace.csv", "discostorm_book")
 #: Names of the roles of messages, and how receptions are lost, by cause.
-MESSAGE_WORDS = {row["key"]: row["words"] for row in _WORDS if row["what"] == "role"}
-LOSS_WORDS = {row["key"]: row["words"] for row in _WORDS if row["what"] == "cause"}
+MESSAGE_WORDS = {row["key"]: row["words"] for row in _WORD_ROWS if row["what"] == "role"}
+LOSS_WORDS = {row["key"]: row["words"] for row in _WORD_ROWS if row["what"] == "cause"}
 
 
 @dataclass(frozen=True)

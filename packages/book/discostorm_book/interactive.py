@@ -202,7 +202,7 @@ def run_own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
     data = {
         **_panel_positions(convergence.time_quartiles(rows, names)),
         "begin": [names.index(name), hosts],
-        "never": convergence.NEVER,
+        "never": convergence.NEVER_AT,
         **{name: common[name] for name in ("runs", "processes", "endpoints")},
         "setting": {
             "radio": sweeps.sweep_channel().name,

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.measured import configurations, products
 from discostorm.messages import Protocol
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
+from discostorm.protocols.measured_tables import configurations, products
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -71,7 +71,7 @@ def grid_points(name: str, part: Literal["", "shared", "beyond"] = "") -> tuple[
     models = products() | configurations()
     _checks.choice("name", name, list(models))
     tables = part or ("mitigation" if name in configurations() else "")
-    # A network that is taken for wired has three processes or more, as two send otherwise.
+    # Tables of wired networks hold from three processes on: two processes send otherwise.
     row, prefix = models[name], f"measured/{tables}_" if tables else "measured/"
     return points_of_variant(row["product"], row["variant"], int(row["least_processes"]), prefix)
 

@@ -13,7 +13,7 @@ from discostorm.palette import light_colors
 from discostorm.protocols import PROTOCOLS
 from discostorm.ros_releases import shipped_table
 from discostorm.wifi import WIFI, Radio
-from discostorm_book.figures.drawing import Look, book_figure, write_text
+from discostorm_book.figures.drawing import Style, book_figure, write_text
 from discostorm_planner.change_simulation import CAUTION_LOSS
 from discostorm_planner.remedy_rules import simulation_caution
 
@@ -22,9 +22,9 @@ PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 #: The page's first settings; the picture shows their hosts, table and seed.
 HOSTS, TABLE, OTHER_TABLE, SEED = 12, "Fast DDS 3.6", "Zenoh peer", 0
 #: The tables of the same products with a server or router that is wired to the access point.
-SERVED_TABLES = {TABLE: "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}
+TABLES_WITH_SERVER = {TABLE: "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}
 #: The release that collapses without aggregation.
-HUMBLE = PROTOCOLS[shipped_table("Fast DDS", "humble")]
+HUMBLE_TABLE = PROTOCOLS[shipped_table("Fast DDS", "humble")]
 #: Maximum number of robots to choose [1].
 MAX_HOSTS = 15
 #: The same radio with one message per frame, and with aggregation.
@@ -43,19 +43,19 @@ def protocol_choices() -> list[Protocol]:
         for protocol in PROTOCOLS.values():
             if protocol.basis == basis and protocol.product:
                 first.setdefault(protocol.product, protocol)
-    return [*first.values(), HUMBLE, *(p for p in PROTOCOLS.values() if p.basis == "paper")]
+    return [*first.values(), HUMBLE_TABLE, *(p for p in PROTOCOLS.values() if p.basis == "paper")]
 
 
 def _choice(protocol: Protocol) -> dict[str, str]:
     label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
-    label += ", of ROS 2 Humble" * (protocol is HUMBLE)
+    label += ", of ROS 2 Humble" * (protocol is HUMBLE_TABLE)
     return {"name": protocol.name, "label": label, "color": figures.css_color_property(protocol)}
 
 
 def page_data() -> dict[str, Any]:
     """Return the choices of the page: robots, queue, channels, tables with their colors."""
     tables = [_choice(protocol) for protocol in protocol_choices()]
-    behind = {name: _choice(PROTOCOLS[server]) for name, server in SERVED_TABLES.items()}
+    behind = {name: _choice(PROTOCOLS[server]) for name, server in TABLES_WITH_SERVER.items()}
     sizes = {"processes": PROCESSES, "endpoints": ENDPOINTS, "queue": list(QUEUE)}
     first = {"hosts": HOSTS, "most": MAX_HOSTS, "table": TABLE, "other": OTHER_TABLE, **sizes}
     radios = {"radios": [SINGLE_FRAMES.name, AGGREGATED.name], "few_lost": CAUTION_LOSS}
@@ -95,7 +95,7 @@ def draw_first_part() -> Figure:
         lanes.grid(visible=False)
         queue.fill_between(time, waiting, step="post", color=charcoal, alpha=0.35, lw=0)
         queue.axhline(QUEUE[0], color=bad, lw=1)
-        look: Look = {"color": bad, "va": "top", "fontsize": 8}
+        look: Style = {"color": bad, "va": "top", "fontsize": 8}
         write_text(queue, "full: the access point drops frames", (2, QUEUE[0]), (0, -3), **look)
         queue.set(xlabel="time since the robots were switched on [ms]", ylabel="frames\nwaiting")
         queue.set(xlim=(0, PICTURE_END_S * 1e3), ylim=(0, QUEUE[0] * 1.1))

@@ -16,16 +16,16 @@ from discostorm.figures.style import style
 #: Inches: at this width letters of 9 points are 10 px high on a screen of 360 px.
 PHONE_WIDTH = 4.45
 #: Inches of a figure around its panels: title, labels of the axis, legend.
-_AROUND = 1.1
+_MARGINS = 1.1
 #: Share of the width beyond which names of rows are broken, fewest and most letters of a line, and
 #: inches of a line of small letters and between two names.
-_NAMES, _LETTERS, _LINE, _GAP = 0.3, (15, 26), 0.145, 0.07
+_MAX_NAME_SHARE, _LINE_LETTERS, _LINE, _NAME_GAP = 0.3, (15, 26), 0.145, 0.07
 #: Share of a panel beyond which a legend moves below the figure.
-_LEGEND = 0.52
+_MAX_LEGEND_SHARE = 0.52
 #: Inches between long words in a panel and the edge.
-_EDGE = 0.05
+_EDGE_GAP = 0.05
 #: Most lines of a title.
-_LINES = 4
+_MAX_TITLE_LINES = 4
 
 
 def adapt_for_phone(figure: Figure) -> Figure:
@@ -63,7 +63,7 @@ def _stack_panels(figure: Figure, height: float) -> float:
         alike = [p for p in panels[:row] if axis.get_shared_y_axes().joined(axis, p)]
         if alike and not axis.get_ylabel():
             axis.set_ylabel(alike[0].get_ylabel())
-    return (height - _AROUND) * (len(panels) / grid.nrows - 1)
+    return (height - _MARGINS) * (len(panels) / grid.nrows - 1)
 
 
 def _fold_legend(figure: Figure, legend: Legend) -> None:
@@ -73,7 +73,7 @@ def _fold_legend(figure: Figure, legend: Legend) -> None:
     inside = axis is not None and legend not in figure.legends
     box = legend.get_window_extent()
     room = axis.bbox.width if inside and axis else figure.bbox.width
-    if box.width <= (_LEGEND if inside else 1) * room:
+    if box.width <= (_MAX_LEGEND_SHARE if inside else 1) * room:
         return
     # The widest entry, with its mark.
     widest = max(box.width for box in boxes) + 3 * max(box.height for box in boxes)
@@ -92,9 +92,9 @@ def _wrap_row_names(figure: Figure, axis: Axes) -> None:
     texts = [" ".join(name.get_text().split()) for name in names]
     widest = max((name.get_window_extent().width for name in names), default=0) / figure.dpi
     width, height = figure.get_size_inches()
-    if not axis.axison or widest <= _NAMES * width:
+    if not axis.axison or widest <= _MAX_NAME_SHARE * width:
         return
-    shortest, longest = _LETTERS
+    shortest, longest = _LINE_LETTERS
     letters = min(max(shortest, 4 + math.ceil(max(map(len, texts)) / 2)), longest)
     broken = [wrap(text, letters) for text in texts]
     rows = sorted(zip(axis.get_yticks(), map(len, broken), strict=True))
@@ -102,7 +102,7 @@ def _wrap_row_names(figure: Figure, axis: Axes) -> None:
     low, high = sorted(axis.get_ylim())
     # Between two rows there is half of each.
     needed = (high - low) * max(
-        ((one + other) / 2 * _LINE + _GAP) / (b - a) for (a, one), (b, other) in pairwise(rows)
+        ((one + other) / 2 * _LINE + _NAME_GAP) / (b - a) for (a, one), (b, other) in pairwise(rows)
     )
     shares = [other.get_position().height for other in figure.axes]
     share = axis.get_position().height
@@ -118,7 +118,7 @@ def _wrap_titles(figure: Figure) -> None:
     for axis in figure.axes:  # their titles
         children = [text for text in axis.get_children() if isinstance(text, Text)]
         texts += [text for text in children if text not in axis.texts]
-    for lines in range(2, _LINES + 1):
+    for lines in range(2, _MAX_TITLE_LINES + 1):
         boxes = [text.get_window_extent() for text in texts]
         wide = [box.x0 < 0 or box.x1 > figure.bbox.width for box in boxes]
         too_long = [text for text, is_wide in zip(texts, wide, strict=True) if is_wide]
@@ -138,8 +138,8 @@ def _pull_texts_inside(figure: Figure) -> None:
             low, high = axis.get_xlim()
             axis.set_xlim(low * (low / high) ** (1.3 * over / axis.bbox.width), high)
         for text in axis.texts:
-            # For the others the layout makes room.
-            over = text.get_window_extent().x1 + _EDGE * figure.dpi - figure.bbox.width
+            # The layout makes room for the other texts.
+            over = text.get_window_extent().x1 + _EDGE_GAP * figure.dpi - figure.bbox.width
             if over > 0 and not text.get_in_layout() and isinstance(text, Annotation):
                 right, up = text.xyann
                 text.xyann = (right - 72 * over / figure.dpi, up)

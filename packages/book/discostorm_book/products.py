@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from discostorm import measured
 from discostorm.data import data_path, read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.model import breakdown, utilization
-from discostorm.protocols import DDS, PROTOCOLS, ZENOH
+from discostorm.protocols import DDS, PROTOCOLS, ZENOH, measured_tables
 from discostorm.saturation import saturation_hosts
 from discostorm_book import comparison, lab_counts
 from discostorm_book.lab_counts import paper_protocol_of_product
@@ -21,7 +20,7 @@ from discostorm_book.lab_counts import paper_protocol_of_product
 #: The measured model of each product as shipped, on Wi-Fi; the others are variants of these.
 SHIPPED = ("Fast DDS", "Cyclone DDS", "Zenoh peer")
 #: All measured models as shipped, with their variants.
-MODELS = tuple(name for name in measured.products() if name in PROTOCOLS)
+MODELS = tuple(name for name in measured_tables.products() if name in PROTOCOLS)
 #: The products that ran with DDS Security.
 SECURED = ("Fast DDS", "Cyclone DDS")
 #: The paper's tables.
@@ -46,7 +45,7 @@ def measured_models() -> pd.DataFrame:
     return pd.DataFrame(
         {"model": name, "version": row["versions"], "what": row["what"]}
         | {"runs": number[row["product"], row["variant"]]}
-        for name, row in measured.products().items()
+        for name, row in measured_tables.products().items()
     )
 
 

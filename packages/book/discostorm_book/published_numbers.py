@@ -70,7 +70,7 @@ def format_count(value: float, digits: int = 3) -> str:
     return "\N{EN DASH}" if np.isnan(value) else f"{float(f'{value:.{digits}g}'):,.0f}"
 
 
-def _with_range(row: Mapping[Any, Any], middle: str) -> str:
+def _range_text(row: Mapping[Any, Any], middle: str) -> str:
     least, most = (format_count(row[name]) for name in ("least", "most"))
     return format_count(row[middle]) + ("" if least == most else f" ({least}\N{EN DASH}{most})")
 
@@ -86,7 +86,7 @@ def comparison_table() -> pd.DataFrame:
             "published": format_count(row["number"], 6),
             "paper": format_count(row["paper"]),
             "measured model": format_count(row["as_built"]),
-            "lab (min\N{EN DASH}max)": _with_range(row, "measured"),
+            "lab (min\N{EN DASH}max)": _range_text(row, "measured"),
         }
         for row in rows
     )
@@ -100,7 +100,7 @@ def staged_counts_table() -> pd.DataFrame:
             "staged": row["title"],
             "software": _SOFTWARE[row["product"]],
             "processes": row["processes"],
-            "packets (min\N{EN DASH}max)": _with_range(row, "count"),
+            "packets (min\N{EN DASH}max)": _range_text(row, "count"),
             "bytes": format_count(row["bytes"]),
             "last endpoint known [s]": row["last_s"],
         }

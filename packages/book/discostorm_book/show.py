@@ -160,11 +160,11 @@ def _advice_part_as_markdown(text: str) -> str:
     return "\n".join([f"**{head}**", "", *others] if others else [head])
 
 
-_UNITS = {name: name for name in ("ms", "s", "B", "bits", "MHz", "GHz")}
-_UNITS |= {"us": "µs", "Mbit_s": "Mbit/s"}
+_HEADING_UNITS = {name: name for name in ("ms", "s", "B", "bits", "MHz", "GHz")}
+_HEADING_UNITS |= {"us": "µs", "Mbit_s": "Mbit/s"}
 #: Names of the standard, which are no wording.
 _TERMS = {"sifs": "SIFS", "cw min": "CWmin", "cw max": "CWmax", "mpdus": "MPDUs"}
-_MISSING = "\N{EN DASH}"
+_MISSING_VALUE = "\N{EN DASH}"
 _MINUS = "\N{MINUS SIGN}"
 #: Code and formulas, which stay as they are.
 _VERBATIM = re.compile(r"(`[^`]*`|\$[^$]*\$)")
@@ -172,7 +172,7 @@ _VERBATIM = re.compile(r"(`[^`]*`|\$[^$]*\$)")
 _HYPHEN = re.compile(r"(?<![\w.)/#-])-(?=\d)")
 _ONE_NUMBER = (
     rf"([-+{_MINUS}<≤>≥≈ ]*(\d[\d,]*(\.\d+)?(e[-+]?\d+)?(\s?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|∞)"
-    rf"|never|{_MISSING}|)"
+    rf"|never|{_MISSING_VALUE}|)"
 )
 _NUMBER = re.compile(rf"{_ONE_NUMBER}( / {_ONE_NUMBER})?")
 
@@ -187,13 +187,13 @@ def heading(name: str) -> str:
     """
     if not re.fullmatch(r"\w+", name):
         return name
-    if name in _UNITS and name != "bits":
-        return f"[{_UNITS[name]}]"
-    units = sorted(_UNITS, key=len, reverse=True)
+    if name in _HEADING_UNITS and name != "bits":
+        return f"[{_HEADING_UNITS[name]}]"
+    units = sorted(_HEADING_UNITS, key=len, reverse=True)
     unit = next((unit for unit in units if name.endswith(f"_{unit}")), None)
     words = name.removesuffix(f"_{unit}").replace("_", " ")
     words = _TERMS.get(words, words)
-    return f"{words} [{_UNITS[unit]}]" if unit else words
+    return f"{words} [{_HEADING_UNITS[unit]}]" if unit else words
 
 
 def typeset(text: str) -> str:
@@ -210,7 +210,7 @@ def _format_cell(value: object) -> str:
     text = f"{value:g}" if isinstance(value, float) else str(value)
     if infinite := re.fullmatch(r"([-+]?)inf\b.*", text):
         return f"{_MINUS if infinite[1] == '-' else ''}∞"
-    return _MISSING if re.fullmatch(r"[-+]?nan\b.*", text) else typeset(text)
+    return _MISSING_VALUE if re.fullmatch(r"[-+]?nan\b.*", text) else typeset(text)
 
 
 def table(

@@ -63,7 +63,7 @@ def drain_times() -> pd.DataFrame:
 
 
 def losses_compared_with_ns3() -> pd.DataFrame:
-    """Return deliveries lost with limited queues here and in ns-3, and the difference in points."""
+    """Return deliveries lost with limited queues, ours and those of ns-3, and the difference."""
     theirs = load_sweep("ns3_bursts", "measured")
     theirs = _with_mpdus(theirs[theirs["scenario"].isin(["queue", "short_queue", "errors"])])
     keys = ["protocol", "hosts", "mpdus", "queue_frames", "loss"]
@@ -99,7 +99,7 @@ def _with_mpdus(ns3: pd.DataFrame) -> pd.DataFrame:
 
 
 def round_up(value: float, step: float) -> float:
-    """Return a largest difference, rounded up to whole steps."""
+    """Round a value up to a multiple of a step, except for a rounding error."""
     return float(np.ceil(value / step - 1e-9) * step)
 
 
@@ -133,7 +133,7 @@ def staggered_start_rows(**wanted: object) -> pd.DataFrame:
 
 
 def converges_sooner(row: pd.Series, reference: pd.Series) -> bool:
-    """Return whether the first converges sooner by more than the runs scatter."""
+    """Return whether `row` converges sooner than `reference`, by more than the runs scatter."""
     return bool(row["convergence_time_s_high"] < reference["convergence_time_s_low"])
 
 

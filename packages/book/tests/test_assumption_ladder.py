@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 import discostorm as ds
-from discostorm import timeline
+from discostorm import drain_times
 from discostorm.wifi import Radio
 from discostorm_book import assumption_ladder as ladder
 
@@ -42,7 +42,7 @@ def test_with_timers_a_fleet_fits_if_all_is_carried_within_the_lease() -> None:
         if rung.switches == {"periods"}:
             fits[rung.protocol] = rung.fit
             table = ds.PROTOCOLS[ladder.TABLES[rung.protocol][1]]
-            carried = [timeline.first_idle(table, rung.fit + more, 2, 10) for more in (0, 1)]
+            carried = [drain_times.first_idle(table, rung.fit + more, 2, 10) for more in (0, 1)]
             assert carried[0] <= table.lease < carried[1]
     assert fits == {"DDS": 22, "Zenoh": 20}
 

@@ -10,7 +10,7 @@ from discostorm_capture._types import PADDING, Array, Bytes, Columns, Offsets
 
 
 def join_padded(*parts: Any) -> Bytes:
-    """Return the bytes of all parts in a row, and padding."""
+    """Join the bytes of all parts, and add padding."""
     return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8)
 
 
@@ -69,7 +69,7 @@ class IdTable:
         return self.ids.setdefault(key, len(self.ids))
 
     def ids_of(self, data: Bytes, at: Offsets, octets: int) -> NDArray[np.int32]:
-        """Return the numbers of the byte strings, a multiple of 4 long, at the offsets."""
+        """Return the numbers of the byte strings at the offsets; ``octets`` is a multiple of 4."""
         keys = [numbers_at(data, at + offset, "=u4") for offset in range(0, octets, 4)]
         code, first = factorize(*keys)
         ids = [self.id_of(data[begin : begin + octets].tobytes()) for begin in at[first].tolist()]

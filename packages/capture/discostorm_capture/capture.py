@@ -45,7 +45,7 @@ class Capture:
         What could not be read or counted, and why.
     _messages, _processes, _network_events, _endpoints : pandas.DataFrame
         See `messages`, `processes`, `endpoints` and the module `network_events`.
-    _quality : Recording
+    _recording : Recording
         How it was recorded.
     """
 
@@ -58,7 +58,7 @@ class Capture:
     _processes: pd.DataFrame = field(compare=False)
     _network_events: pd.DataFrame = field(compare=False)
     _endpoints: pd.DataFrame = field(compare=False)
-    _quality: Recording
+    _recording: Recording
 
     def __repr__(self) -> str:
         size = f"{self.packets} packets, {self.duration:.6g} s, {len(self._messages)} messages"
@@ -153,7 +153,7 @@ class Capture:
         return Fleet(tuple(groups))
 
     def vantage_host(self) -> str | None:
-        """Return the host of all unicast, if any, of at least three; servers do not count."""
+        """Return the only host with captured unicast, if three or more hosts are no servers."""
         from discostorm_capture.diagnosis.observations import vantage_host
 
         hosts = set(self._processes["host"]) - {""}
@@ -221,7 +221,7 @@ class Capture:
         rows = self._messages_without_shutdown()
         seconds = self.compared_seconds(protocol, window)
         if window is not None:
-            first = counts.model_message_times(protocol, self._messages).min()
+            first = counts.captured_times(protocol, self._messages).min()
             rows = rows[rows["time"] <= first + seconds]
         if protocol.wired is not None and counts.has_unexpected_multicast(protocol, rows):
             protocol = protocol.wired
@@ -270,16 +270,16 @@ class Capture:
 
         hosts = parse_expected_hosts(expected)
         messages, events = (
-            observations.remove_clock_steps(table, self._quality)
+            observations.remove_clock_steps(table, self._recording)
             for table in (self._messages_between_hosts(), self._network_events)
         )
-        if self._quality.clock_steps:
+        if self._recording.clock_steps:
             messages = messages.sort_values("time", kind="stable")
         processes = self._processes[self._processes["host"] != ""].copy()
         serves = processes["host"].isin(self.servers())
         observations.merge_addresses(messages, processes, events)
         servers = frozenset(processes["host"][serves])
-        given = self._quality, self._endpoints, hosts
+        given = self._recording, self._endpoints, hosts
         return diagnose(observations.Observations(messages, processes, events, servers, *given))
 
     def picture(self, wifi: AnyWifi = PAPER, wired: Sequence[str] | None = None) -> Figure:

@@ -44,7 +44,7 @@ class VisibleFleet:
 
 
 def fleet_visible_from(fleet: Fleet, processes: DataFrame) -> VisibleFleet:
-    """Return a fleet seen from the host of these processes, in the most similar group."""
+    """Return the view of a fleet from these processes' host, as one of the most similar group."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
     n, groups = len(processes), fleet.groups
     differences = [(abs(group.processes - n), abs(group.endpoints - mean)) for group in groups]
@@ -105,14 +105,14 @@ def has_unexpected_multicast(protocol: Protocol, rows: DataFrame) -> bool:
     return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
 
 
-def model_message_times(protocol: Protocol, messages: DataFrame) -> Any:
+def captured_times(protocol: Protocol, messages: DataFrame) -> Any:
     """Return when messages of a model were captured [s]."""
     return messages["time"][messages["kind"].isin([message.kind for message in protocol.messages])]
 
 
 def comparison_window(protocol: Protocol, messages: DataFrame, duration: float) -> float:
     """Return the time from the first message of a model to the end of the capture [s]."""
-    times = model_message_times(protocol, messages)
+    times = captured_times(protocol, messages)
     if times.empty:
         return duration
     # Without a message for half of the shortest period, all hosts are gone.

@@ -1,4 +1,4 @@
-"""Parse announcements of endpoints by SEDP and rmw_zenoh: topic, type and QoS; also of SPDP."""
+"""Parse announced endpoints (topic, type, QoS) of SEDP and rmw_zenoh, and participants of SPDP."""
 
 import re
 import struct
@@ -25,8 +25,8 @@ _WRITER_KINDS = (0x02, 0x03)
 _PID_SENTINEL, _INFINITE_SECONDS = 0x01, 0x7FFFFFFF
 #: Parameter id of a participant's unicast locator, and the kind of an IPv4 locator (9.6.3).
 _PID_METATRAFFIC_UNICAST_LOCATOR, _LOCATOR_KIND_UDPV4 = 0x32, 1
-#: That of an endpoint's, and the transports of locators, IPv4 and IPv6; TCP is Fast DDS's
-#: (eProsima/Fast-DDS 2.9.1, include/fastdds/rtps/common/Locator.h).
+#: Parameter id of an endpoint's unicast locator, and the transport of each kind of locator; only
+#: Fast DDS has TCP (eProsima/Fast-DDS 2.9.1, include/fastdds/rtps/common/Locator.h).
 _PID_UNICAST_LOCATOR, _TRANSPORTS = 0x2F, {1: "UDP", 2: "UDP", 4: "TCP", 8: "TCP"}
 #: The property of a Fast DDS Discovery Server (parameter_property_participant_type, in CDR); and
 #: the GUID prefix of servers, whose third byte is the server's number (eProsima/Fast-DDS 2.9.1,

@@ -31,7 +31,7 @@ _u16, _u32 = Struct(">H").unpack_from, Struct(">I").unpack_from
 _le16, _le32 = Struct("<H").unpack_from, Struct("<I").unpack_from
 
 
-class Payload(NamedTuple):
+class FramePayload(NamedTuple):
     """What a frame carries: EtherType, first byte and end, and how it was captured."""
 
     ethertype: int
@@ -44,12 +44,12 @@ class Payload(NamedTuple):
     is_retry: int = 0
 
 
-Payloads = Iterator[Payload]
-LinkReader = Callable[[memoryview, int, int, int, Notes], Payloads]
+FramePayloads = Iterator[FramePayload]
+LinkReader = Callable[[memoryview, int, int, int, Notes], FramePayloads]
 
 
 def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
-    """Return IP and ARP packets: the fields of `Payload`, and ``frame``, the packet's index."""
+    """Return IP and ARP packets: fields of `FramePayload`, and ``frame``, the packet's index."""
     data, rows = packets.data.data, array("q")
     readers = [LINK_READERS.get(LINK_TYPE_NAMES.get(link, "")) for link in packets.link_types]
     columns = (packets.table[name].tolist() for name in ("at", "size", "interface"))
@@ -68,7 +68,7 @@ def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
                     notes[f"frames of EtherType 0x{ethertype:04x}, which is not read"] += 1
             elif at < end:
                 rows.extend((frame, ethertype, at, end, *seen))
-    names = ("frame", *Payload._fields)
+    names = ("frame", *FramePayload._fields)
     table = np.array(rows, np.int64).reshape(-1, len(names)).T.copy()
     return dict(zip(names, table, strict=True))
 
@@ -92,41 +92,41 @@ def _skip_llc_snap(data: memoryview, at: int, end: int) -> tuple[int, int]:
     return 0, at
 
 
-def _read_ethernet(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> Payloads:
+def _read_ethernet(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> FramePayloads:
     if end - at >= 14:
         ethertype, inner = _u16(data, at + 12)[0], at + 14
         if ethertype <= 1500:  # a length
             ethertype, inner = _skip_llc_snap(data, inner, end)
-        yield Payload(ethertype, inner, end, point)
+        yield FramePayload(ethertype, inner, end, point)
 
 
-def _read_sll(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> Payloads:
+def _read_sll(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> FramePayloads:
     if end - at >= 16:
         # The "any" interface may show a packet both as sent and as received.
         point = point << 8 | _u16(data, at)[0] & 0xFF
-        yield Payload(_u16(data, at + 14)[0], at + 16, end, point)
+        yield FramePayload(_u16(data, at + 14)[0], at + 16, end, point)
 
 
-def _read_sll2(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> Payloads:
+def _read_sll2(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> FramePayloads:
     if end - at >= 20:
         point = (point << 40 | _u32(data, at + 4)[0] << 8 | data[at + 10]) & 2**63 - 1
-        yield Payload(_u16(data, at)[0], at + 20, end, point)
+        yield FramePayload(_u16(data, at)[0], at + 20, end, point)
 
 
-def _read_loopback(data: memoryview, at: int, end: int, point: int, notes: Notes) -> Payloads:
+def _read_loopback(data: memoryview, at: int, end: int, point: int, notes: Notes) -> FramePayloads:
     if end - at >= 4:
         # The address family is in the byte order of the capturing machine.
         if {_u32(data, at)[0], _le32(data, at)[0]} & _IP_FAMILIES:
-            yield Payload(IPV4, at + 4, end, point)
+            yield FramePayload(IPV4, at + 4, end, point)
         else:
             notes["packets of loopback that are not IP"] += 1
 
 
-def _read_raw_ip(_data: memoryview, at: int, end: int, point: int, _notes: Notes) -> Payloads:
-    yield Payload(IPV4, at, end, point)
+def _read_raw_ip(_data: memoryview, at: int, end: int, point: int, _notes: Notes) -> FramePayloads:
+    yield FramePayload(IPV4, at, end, point)
 
 
-def _read_radiotap(data: memoryview, at: int, end: int, point: int, notes: Notes) -> Payloads:
+def _read_radiotap(data: memoryview, at: int, end: int, point: int, notes: Notes) -> FramePayloads:
     if end - at < 8:
         return
     (length,), (present,), words = _le16(data, at + 2), _le32(data, at + 4), 1
@@ -146,7 +146,7 @@ def _read_radiotap(data: memoryview, at: int, end: int, point: int, notes: Notes
 
 def _read_wifi(
     data: memoryview, at: int, end: int, point: int, notes: Notes, padded: bool = False
-) -> Payloads:
+) -> FramePayloads:
     # Only data frames with a payload.
     if end - at < 24 or data[at] & 0x4F != 0x08:
         return
@@ -163,12 +163,12 @@ def _read_wifi(
     inner = at + (header + 3 & ~3 if padded else header)
     seen = point << 2 | distribution, {1: UPLINK, 2: DOWNLINK}.get(distribution, 0), second >> 3 & 1
     if not (has_qos and control < end and data[control] & 0x80):
-        yield Payload(*_skip_llc_snap(data, inner, end), end, *seen)
+        yield FramePayload(*_skip_llc_snap(data, inner, end), end, *seen)
         return
     while inner + 14 <= end:  # an A-MSDU: each subframe has its own addresses and length
         length = 14 + _u16(data, inner + 12)[0]
         part_end = min(inner + length, end)
-        yield Payload(*_skip_llc_snap(data, inner + 14, part_end), part_end, *seen)
+        yield FramePayload(*_skip_llc_snap(data, inner + 14, part_end), part_end, *seen)
         inner += length + 3 & ~3
 
 

@@ -41,7 +41,7 @@ def arp_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
 
 
 def icmp_unreachable_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
-    """Return hosts and ports that ICMP reports as unreachable, or as lacking parts (RFC 792)."""
+    """Return hosts and ports that ICMP reports as unreachable or lacking fragments (RFC 792)."""
     long = packets["end"] - packets["at"] >= 36
     packets = take_rows(packets, (packets["protocol"] == ip.ICMP) & long & (packets["offset"] == 0))
     lacks = numbers_at(data, packets["at"], ">u2") == _REASSEMBLY_TIMEOUT

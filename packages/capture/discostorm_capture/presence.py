@@ -25,9 +25,9 @@ class Activity:
     #: The longest pause between two messages, except outages [s].
     longest_pause: float = LIMITS.min_pause
     is_silent: bool = False
-    #: When a message to it last required an answer, it last requested a repetition, said goodbye.
-    called: float = 0.0
-    rerequested: float = 0.0
+    #: When a message last asked it for an answer, and when it last requested or said goodbye.
+    asked_at: float = 0.0
+    rerequested_at: float = 0.0
     last_goodbye: float = 0.0
     products: str = ""
     messages: int = 0
@@ -89,9 +89,9 @@ class Presence:
             if outage := voice.record_message(time):
                 self.changes.append((time, f"{host} came back after {wording.duration(outage)}"))
             voice.messages, voice.payload = voice.messages + 1, voice.payload + size
-            voice.rerequested = time if asks else voice.rerequested
+            voice.rerequested_at = time if asks else voice.rerequested_at
             if calls and (other, host) in self.answers:
-                self.answers[other, host].called = time
+                self.answers[other, host].asked_at = time
             if confirms:
                 self.answers.setdefault((host, other), Activity(time, time)).record_message(time)
             voice.last_goodbye = time if leaves else voice.last_goodbye
@@ -135,7 +135,7 @@ class Presence:
                 findings.append(Finding("silent", (host,), text))
                 voice.is_silent, change = True, (now, f"{host} fell silent: {text}")
             elif any(
-                answer.last == last and now - last > answer.max_pause < 2 * (answer.called - last)
+                answer.last == last and now - last > answer.max_pause < 2 * (answer.asked_at - last)
                 for answer in answers
             ):
                 findings.append(Finding.of("answers no more", (host,), now - last))
@@ -154,6 +154,6 @@ class Presence:
         if self.now - begin < (first := LIMITS.baseline_time):
             return f"{text} so far. The first {first:.0f} s show how often each one sends."
         since = self.now - LIMITS.recent
-        again = [host for host, voice in there.items() if voice.rerequested >= since]
+        again = [host for host, voice in there.items() if voice.rerequested_at >= since]
         also = f"{listing(again)} requested messages again" if again else "none requests again"
         return f"{text}, no host is silent, and {also}."

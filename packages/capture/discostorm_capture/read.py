@@ -75,7 +75,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     cut |= {note: count for note, count in notes.items() if note in _GAP_NOTES}
     table = _message_table(messages, since, carried, [process.name for process in processes])
     copies = table["copy"][table["multicast"]]
-    quality = Recording(
+    recording = Recording(
         truncated / max(len(time), 1),
         steps,
         first_packet_time=first,
@@ -96,7 +96,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         _processes=_process_table(processes, since, addresses),
         _network_events=_event_table(events, since, addresses),
         _endpoints=_endpoint_table(dissections),
-        _quality=quality,
+        _recording=recording,
     )
 
 
@@ -197,7 +197,7 @@ def _message_table(
 def _names_by_protocol(
     protocol_of_row: Array, numbers: Array, names: Sequence[Sequence[str]]
 ) -> Any:
-    """Return names of numbers that count from 0 within each protocol."""
+    """Return a categorical of names, given numbers that start from 0 for each protocol."""
     first = np.cumsum([0, *map(len, names[:-1])])
     return categorical(first[protocol_of_row] + numbers, [name for part in names for name in part])
 

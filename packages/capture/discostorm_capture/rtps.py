@@ -339,7 +339,7 @@ def dissect_rtps(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Not
             if id_ == sender and len(locators) >= len(own_addresses[id_]):
                 own_addresses[id_] = locators
             elif id_ not in vendor_of and locators:
-                sightings.append((frame, id_, locators[-1]))  # only others announce it
+                sightings.append((frame, id_, locators[-1]))  # announced only by others
     seen = first_seen(sightings, ip.is_loopback(addresses))
     names = [prefix.hex() for prefix in prefixes.ids]
     processes = {}

@@ -38,7 +38,7 @@ Openings = dict[int, zenoh_messages.SessionOpening]
 
 
 @dataclass(frozen=True)
-class _Seen:
+class _Roster:
     """What messages of all transports say about processes, by their ids in `zids`; notes."""
 
     notes: Notes
@@ -78,7 +78,7 @@ def dissect_zenoh(
     transport: IpContent, scouts: Columns, datagrams: Columns, streams: tcp.Streams, notes: Notes
 ) -> Dissection:
     """Return the messages of Zenoh, and the processes that sent them."""
-    data, seen = transport.data, _Seen(notes)
+    data, seen = transport.data, _Roster(notes)
     messages = concat(
         _dissect_scouting(data, scouts, seen, transport.addresses),
         *_dissect_udp_sessions(data, datagrams, seen),
@@ -115,7 +115,7 @@ def dissect_zenoh(
     return Dissection(messages, processes, ros)
 
 
-def _dissect_scouting(data: Bytes, scouts: Columns, seen: _Seen, addresses: IdTable) -> Columns:
+def _dissect_scouting(data: Bytes, scouts: Columns, seen: _Roster, addresses: IdTable) -> Columns:
     """Return the messages of scouting; only a Hello has the role of its sender."""
     is_hello = scouts["code"] == _HELLO
     process = np.full(len(is_hello), -1, np.int64)
@@ -139,7 +139,7 @@ def _dissect_scouting(data: Bytes, scouts: Columns, seen: _Seen, addresses: IdTa
     return message_table(scouts, rows, ZENOH, scouts["code"], process=process, udp=True, **columns)
 
 
-def _dissect_udp_sessions(data: Bytes, datagrams: Columns, seen: _Seen) -> list[Columns]:
+def _dissect_udp_sessions(data: Bytes, datagrams: Columns, seen: _Roster) -> list[Columns]:
     """Return the messages of sessions over UDP, where each datagram is one batch."""
     table, opened, reverse = _split_udp_sessions(data, datagrams, seen.notes)
     # Assign in reverse order, so that the first row of each stream remains.
@@ -154,7 +154,7 @@ def _dissect_udp_sessions(data: Bytes, datagrams: Columns, seen: _Seen) -> list[
     return _add_fragments(data, parsed, messages, seen)
 
 
-def _dissect_tcp_sessions(data: Bytes, streams: tcp.Streams, seen: _Seen) -> list[Columns]:
+def _dissect_tcp_sessions(data: Bytes, streams: tcp.Streams, seen: _Roster) -> list[Columns]:
     """Return the messages of sessions over TCP, and their segments without a message."""
     zenoh_tcp.note_tls_connections(data, streams, seen.notes)
     table = streams.segments
@@ -178,7 +178,7 @@ def _dissect_tcp_sessions(data: Bytes, streams: tcp.Streams, seen: _Seen) -> lis
 
 
 def _with_processes(
-    opened: Openings, table: Columns, first: Array, opposite: Array, seen: _Seen
+    opened: Openings, table: Columns, first: Array, opposite: Array, seen: _Roster
 ) -> Columns:
     """Return packets with their ``process``, and its ``peer``, given the first of each stream."""
     process = np.full(len(first) + 1, -1, np.int64)  # the last element stands for no opposite
@@ -219,7 +219,7 @@ def _tcp_segments(content: tcp.StreamContent, table: Columns, chosen: Array) -> 
     return message_table(table, rows, TCP, kind, frames=table["parts"][rows], ends=closes, **sizes)
 
 
-def _add_fragments(data: Bytes, parsed: Columns, messages: Columns, seen: _Seen) -> list[Columns]:
+def _add_fragments(data: Bytes, parsed: Columns, messages: Columns, seen: _Roster) -> list[Columns]:
     """Return all messages, also from fragments; collect the endpoints that they declare."""
     tables, sources = [messages], [(data, parsed)]
     if fragments := _complete_fragments(data, parsed, seen.notes):

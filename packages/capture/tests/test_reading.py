@@ -939,7 +939,7 @@ def test_a_clock_was_set_if_time_goes_back_or_far_on(
 ) -> None:
     packet = udp(rtps(data(0x100C2)))
     found = [(10**18 + int(turn * seconds * 1e9), packet, len(packet)) for turn in (0, 1)]
-    steps = read(pcap(found, 101))._quality.clock_steps
+    steps = read(pcap(found, 101))._recording.clock_steps
     assert [frame for frame, _ in steps] == [2] * len(step)
     assert [by for _, by in steps] == pytest.approx(step)
 

@@ -12,20 +12,18 @@ from dataclasses import dataclass
 from typing import Literal
 
 from discostorm import wording
+from discostorm.drain_times import burst_drain_time
 from discostorm.files import json_ready
-from discostorm.timeline import burst_drain_time
 
 #: Whether a load fits on the channel; see `AggregationRange.verdict`.
-Verdict = Literal["fits", "may fit", "does not fit"]
+ChannelFit = Literal["fits", "may fit", "does not fit"]
 
 
 @dataclass(frozen=True)
 class AggregationRange:
-    """A number with full A-MPDUs, and with one frame in each exchange."""
+    """A quantity computed with full A-MPDUs, and with one frame in each exchange."""
 
-    #: With full A-MPDUs.
     full: float
-    #: With one frame in each exchange.
     single: float
 
     @property
@@ -34,7 +32,7 @@ class AggregationRange:
         return min(self.full, self.single), max(self.full, self.single)
 
     @property
-    def verdict(self) -> Verdict:
+    def verdict(self) -> ChannelFit:
         """Whether this share of a channel fits: at both ends, at the better one, or at neither."""
         low, high = self.bounds
         if wording.below_capacity(high):
@@ -43,7 +41,7 @@ class AggregationRange:
 
     @property
     def differs(self) -> bool:
-        """Whether the two ends differ."""
+        """Whether the two values differ."""
         return self.full != self.single
 
     def to_dict(self) -> dict[str, float | None]:

@@ -12,9 +12,9 @@ from discostorm import wording
 from discostorm.data import data_path
 from discostorm.wifi import PAPER
 from discostorm_planner import remedy_rules
-from discostorm_planner.change_simulation import OTHER_SOFTWARE, SimulatedChange
+from discostorm_planner.change_simulation import SOFTWARE_EFFORTS, SimulatedChange
 from discostorm_planner.discovery_time import MIN_PAIRS, RUNS, DiscoveryTime
-from discostorm_planner.fleet_changes import hosts_words
+from discostorm_planner.fleet_changes import hosts_in_words
 from discostorm_planner.simulation_jobs import MOST_PAIRS_SHARE, TARGET_S
 
 if TYPE_CHECKING:
@@ -35,25 +35,26 @@ def fill(key: str, **values: object) -> str:
     return SENTENCES[key].format(**values)
 
 
-def format_answer(plan: Plan, width: int, *, every: bool = False) -> str:
+def format_answer(plan: Plan, width: int, *, all_changes: bool = False) -> str:
     """Return the answer in lines of at most ``width`` letters."""
     if plan.all_wired:
-        return wording.wrapped(wording.ALL_WIRED, width)
+        return wording.wrap(wording.ALL_WIRED_NOTE, width)
     if plan.fleet.hosts() == 1:
-        return wording.wrapped(wording.ALONE, width)
+        return wording.wrap(wording.LONE_HOST_NOTE, width)
     text = ""
     for count in range(MAX_SHOWN_CHANGES, -1, -1):
-        blocks = [_verdict_lines(plan), [*_cell_lines(plan)], *_change_blocks(plan, count, every)]
-        blocks += [_reboot_lines(plan), _certainty_lines(plan, every)]
+        blocks = [_verdict_lines(plan), [*_cell_lines(plan)]]
+        blocks += _change_blocks(plan, count, all_changes)
+        blocks += [_reboot_lines(plan), _certainty_lines(plan, all_changes)]
         text = _join_blocks(blocks, width)
-        if every or len(_join_blocks(blocks, _USUAL_WIDTH).splitlines()) <= _MAX_LINES:
+        if all_changes or len(_join_blocks(blocks, _USUAL_WIDTH).splitlines()) <= _MAX_LINES:
             break
     return text
 
 
 def _join_blocks(blocks: Iterable[list[str]], width: int) -> str:
     """Join wrapped blocks with an empty line between them."""
-    wrapped = ([wording.wrapped(line, width) for line in block] for block in blocks if block)
+    wrapped = ([wording.wrap(line, width) for line in block] for block in blocks if block)
     return "\n\n".join(map("\n".join, wrapped))
 
 
@@ -112,7 +113,7 @@ def _verdict_lines(plan: Plan) -> list[str]:
         if found.works:
             unsure = "works in simulations" if found.caution else "probably"
             key = "works" if found.surely_works else unsure
-        lines = [fill(key, caution=found.caution, slower=_slower(plan, today), **values)]
+        lines = [fill(key, caution=found.caution, slower=_slower_in_reality(plan, today), **values)]
         times = fill("times of some" if math.isinf(today.nine_of_ten) else "times", **values)
         if math.isfinite(today.most_pairs_s):
             share, time = wording.percent(MOST_PAIRS_SHARE), _time_text(today.most_pairs_s)
@@ -127,15 +128,15 @@ def _verdict_lines(plan: Plan) -> list[str]:
     return [line for line in lines if line]
 
 
-def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
-    """Yield a block for the first step, one for the next, and with ``every`` one for the rest."""
+def _change_blocks(plan: Plan, count: int, all_changes: bool) -> Iterator[list[str]]:
+    """Yield blocks for the first step and the next; with ``all_changes``, one for the rest."""
     found, shortest, count = plan.discovery, not count, max(count, 1)
     if found.today is None and not found.helpful:
         rows = [remedy for section in plan.sections().values() for remedy in section]
         gains = [f"- {wording.capitalized(r.what)} {r.gain_clause()}." for r in rows[:count]]
         none = "none known"
         if math.isinf(plan.startup.bounds[0]):
-            # Today's airtime says nothing where it never ends.
+            # An endless startup has no airtime to compare with.
             none, ending = "none ends", [r for r in plan.remedies if math.isfinite(r.start_window)]
             gains = [
                 fill("drain", what=wording.capitalized(r.what), after=_time_text(r.start_window))
@@ -149,7 +150,7 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     within = _time_text(plan.within)
     shorter = fill("not sure either" if unsure else "shorter", within=within)
     best = list(found.sufficient) if enough and not found.surely_works else listed
-    shown = best if every else list(_first_of_each_kind(best))[:count]
+    shown = best if all_changes else list(_first_of_each_kind(best))[:count]
     far = [c for c in listed if c.time and median(c.time.pairs_done or (1.0,)) < MIN_PAIRS]
     overloaded = plan.data is not None and plan.data.with_periodic.verdict == "does not fit"
     fewer = "" if overloaded else _hosts_in_time_text(plan)
@@ -158,11 +159,11 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     if not listed:
         tried = sum(bool(c.time and c.remedy.all_discover) for c in found.changes)
         yield [fill("none helps", count=tried) if tried else fill("none known")]
-    elif overloaded and found.surely_works and not every:
+    elif overloaded and found.surely_works and not all_changes:
         return  # a faster discovery makes no room for data
     elif found.surely_works or not enough:
         title = fill("faster") if found.surely_works else shorter
-        near = [change for change in shown if every or change not in far]
+        near = [change for change in shown if all_changes or change not in far]
         until = _time_text(max(plan.within, TARGET_S))
         yield [title, *_change_lines(plan, near, 1)] if near else [fill("none near", until=until)]
     else:
@@ -171,8 +172,8 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
         yield [fill(title), *_change_lines(plan, shown[:first], 1)]
         if fewer:
             yield [fill("until then", fewer=fewer)]
-        easy = [c for c in listed if OTHER_SOFTWARE.isdisjoint(c.remedy.efforts)]
-        no_need = every or found.works or shown[0] in easy or shortest
+        easy = [c for c in listed if SOFTWARE_EFFORTS.isdisjoint(c.remedy.efforts)]
+        no_need = all_changes or found.works or shown[0] in easy or shortest
         easier = [] if no_need else [change for change in easy if change not in far][:1]
         if easier:
             works = any(c.time and c.time.works(plan.within) for c in easier)
@@ -180,12 +181,12 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
             yield [title, *_change_lines(plan, easier, first + 1)]
         if shown[first:]:
             yield [fill("then"), *_change_lines(plan, shown[first:], first + len(easier) + 1)]
-        if more := [change for change in listed if every and change not in best]:
+        if more := [change for change in listed if all_changes and change not in best]:
             yield [shorter, *_change_lines(plan, more, len(best) + 1)]
-    possible = () if found.surely_works or enough or every else found.possibly_sufficient[:1]
+    possible = () if found.surely_works or enough or all_changes else found.possibly_sufficient[:1]
     for change in possible:
         yield [fill("possible", names=_change_with_time(change))]
-    if every:
+    if all_changes:
         rest = [c for c in found.changes if c not in listed]
         timed: dict[str, list[str]] = {}
         for change in rest:
@@ -205,15 +206,15 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
 
 
 def _hosts_in_time_text(plan: Plan) -> str:
-    """Return how many hosts of a group meet the target unchanged, if not all do."""
+    """Return the sentence on how many hosts of a group meet the target; "" if unknown."""
     if plan.discovery.hosts_in_time is None:
         return ""
     (name, count, time), groups = plan.discovery.hosts_in_time, _groups_in_discovery(plan)
     hosts = max(group.hosts for group in groups if group.name == name)
-    others = [hosts_words(g.hosts, g.name or "other host") for g in groups]
+    others = [hosts_in_words(g.hosts, g.name or "other host") for g in groups]
     del others[[g.name for g in groups].index(name)]
     beside = f", beside {wording.join_words(others)}" * bool(others)
-    values = {"count": count, "group": hosts_words(hosts, name or "hosts")}
+    values = {"count": count, "group": hosts_in_words(hosts, name or "hosts")}
     total = wording.count_noun(sum(g.hosts for g in groups) - hosts + count, "host")
     return fill("fewer", beside=beside, total=total, time=describe_time(time), **values)
 
@@ -248,17 +249,17 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
         line += fill("paste", name=name) * bool(remedy.snippets)
         time, said = change.time, change.is_cautious and change.caution == plan.discovery.caution
         if time and time.works(plan.within) and not (said or change.suffices(plan.within)):
-            slow = _time_text(change.slowest * time.nine_of_ten_good)
+            slow = _time_text(change.slowest * time.nine_of_ten_unexpired)
             key = "doubtful" if change.is_cautious else "perhaps"
             line += fill(key, caution=change.caution, slow=slow)
         yield line
 
 
-def _slower(plan: Plan, today: DiscoveryTime) -> str:
-    """Return how much slower reality may be, and what that would be here."""
+def _slower_in_reality(plan: Plan, today: DiscoveryTime) -> str:
+    """Return by which factor reality may be slower, and the discovery time with this factor."""
     ratios, times = remedy_rules.time_ratios(plan.protocol), plan.discovery.slowest
     key = "slower" if ratios["measured"] else "slower elsewhere"
-    slow = _time_text(times * today.nine_of_ten_good)
+    slow = _time_text(times * today.nine_of_ten_unexpired)
     return fill(key, times=f"{times:.2g}", slow=slow, **ratios)
 
 
@@ -299,14 +300,14 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
         median, nine, notes = "", "", [fill("not simulated", reason=found.reason)]
         if today is not None:
             lost = format_share(today.lost)
-            notes = [f"{_pairs_done(today)} are done"] if math.isinf(today.median) else []
+            notes = [f"{_done_text(today)} are done"] if math.isinf(today.median) else []
             notes += [fill("some leases", **_lease_counts(today))] * bool(today.expired_lease_runs)
             notes += [fill("lost", lost=lost)] * today.is_lower_bound
             median = "at least " * today.is_lower_bound + _time_text(today.median)
             nine = "" if today.is_lower_bound else _time_text(today.nine_of_ten)
         unsure = "probably" if found.works and not found.caution else "not sure"
         works = ("yes" if found.works else "no") if found.is_sure else unsure
-        notes += [_slower(plan, today)] if today and works == "probably" else []
+        notes += [_slower_in_reality(plan, today)] if today and works == "probably" else []
         row = {"protocol": plan.protocol.name, "discovery_time": median, "nine_of_ten": nine}
         rows.append(row | {"works": works})
         more += [f"- {plan.protocol.name}: {'; '.join(notes)}."] * bool(notes)
@@ -319,7 +320,7 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
     return rows, [*more, " ".join(lines)]
 
 
-def _pairs_done(time: DiscoveryTime) -> str:
+def _done_text(time: DiscoveryTime) -> str:
     """Describe the share of completed pairs in the worst and in the best run."""
     low, high = format_share(time.pairs_done[0]), format_share(time.pairs_done[-1])
     span = f"at most {high}" if low.startswith("less") else f"{low} to {high}"
@@ -338,7 +339,7 @@ def _describe_runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
     return told + f" ({', '.join(few)})" * bool(few), ", or ".join(intervals)
 
 
-def _certainty_lines(plan: Plan, every: bool) -> list[str]:
+def _certainty_lines(plan: Plan, all_changes: bool) -> list[str]:
     """Return how the times were simulated, what they assume, and what would confirm them."""
     found, today, table = plan.discovery, plan.discovery.today, plan.protocol
     times = [t for t in (today, *(c.time for c in found.changes)) if t]
@@ -349,7 +350,7 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
         assumed = fill("assumed of cells" if plan.cells else "assumed")
         ranges = [fill("ranges", interval=interval)] * bool(interval)
         sure = [fill("sure", runs=runs, until=until), *ranges, assumed]
-        if any(math.isinf(time.median) for time in times if every or time is today):
+        if any(math.isinf(time.median) for time in times if all_changes or time is today):
             sure.append(fill("never means", until=until))
         if today and math.isinf(today.times[-1]):
             sure.append(fill("no robot rebooted"))
@@ -383,7 +384,7 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
 def _wired_lines(plan: Plan) -> list[str]:
     """Return a sentence on the wired hosts, if there are any."""
     pairs = zip(plan.fleet.names, plan.fleet.groups, strict=True)
-    wired = [hosts_words(group.hosts, name) for name, group in pairs if group.wired]
+    wired = [hosts_in_words(group.hosts, name) for name, group in pairs if group.wired]
     return [fill("wired", names=wording.join_words(wired[:_MAX_GROUPS]))] * bool(wired)
 
 
@@ -397,7 +398,7 @@ def describe_fleet(plan: Plan) -> str:
     groups = _groups_in_discovery(plan)
     if len(groups) > _MAX_GROUPS or not all(group.name for group in groups):
         return wording.count_noun(sum(group.hosts for group in groups), "host")
-    return wording.join_words([hosts_words(group.hosts, group.name) for group in groups])
+    return wording.join_words([hosts_in_words(group.hosts, group.name) for group in groups])
 
 
 def describe_time(time: DiscoveryTime | None) -> str:
@@ -405,7 +406,7 @@ def describe_time(time: DiscoveryTime | None) -> str:
     if time is None:
         return "not simulated"
     if math.isinf(time.median):
-        return f"never ({_pairs_done(time)})"
+        return f"never ({_done_text(time)})"
     text = _time_text(time.median)
     low, high = (_time_text(end) for end in time.median_interval)
     if low != high:

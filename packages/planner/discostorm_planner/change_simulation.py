@@ -34,10 +34,10 @@ MAX_TARGET_S, MAX_COST_S = 600.0, 30.0
 #: Maximum numbers of single changes and of combinations that are simulated.
 MAX_CHANGES, MAX_COMBINATIONS = 9, 3
 #: Kinds of changes that are simulated even if they save no airtime.
-SIMULATED_ANYWAY = ("staggered start", "discovery server")
+ALWAYS_SIMULATED = ("staggered start", "discovery server")
 #: Efforts that need another middleware on every robot, and those that need any other software.
-OTHER_MIDDLEWARE = frozenset({"upgrade", "switch", "research"})
-OTHER_SOFTWARE = OTHER_MIDDLEWARE | {"build"}
+MIDDLEWARE_EFFORTS = frozenset({"upgrade", "switch", "research"})
+SOFTWARE_EFFORTS = MIDDLEWARE_EFFORTS | {"build"}
 #: Maximum share of lost frames at which a time without repairs is still a useful bound [1].
 MAX_BOUND_LOSS = 0.5
 #: Share of lost frames from which a product's caution matters, as repairs decide the time [1].
@@ -50,9 +50,7 @@ class SimulatedChange:
 
     #: Name of the change for ``--paste``.
     name: str
-    #: The change.
     remedy: Remedy
-    #: The discovery time after the change.
     time: DiscoveryTime | None = None
     #: Why the change was not simulated; empty if it was.
     reason: str = ""
@@ -60,26 +58,26 @@ class SimulatedChange:
     start_window: float = 0.0
     #: Why simulations of the changed product may be wrong; empty if nothing is known.
     caution: str = ""
-    #: Most that times measured on an emulated cell are as multiples of simulated ones, or 1 [1].
+    #: Maximum ratio of times measured on an emulated cell to simulated ones, at least 1 [1].
     slowest: float = 1.0
     #: The smallest variant of the change that still suffices, if there is a smaller one.
     smallest: SimulatedChange | None = None
 
     def suffices(self, within: float) -> bool:
-        """Return whether the startup works after it, also if reality is as slow as measured."""
+        """Return whether the startup then works, even if reality is as slow as we measured."""
         trusted = self.remedy.all_discover and not self.is_cautious
         return bool(trusted and self.time and self.time.works(within / self.slowest))
 
     @property
     def is_cautious(self) -> bool:
-        """Whether it loses so many messages that simulations of its product may be wrong."""
+        """Whether so many messages are lost that simulations of the product may be wrong."""
         return bool(self.caution and self.time and self.time.lost > CAUTION_LOSS)
 
     def sort_key(self, within: float) -> tuple[Any, ...]:
         """Return the sort key: sufficient changes first, those with the least effort on top."""
         assert self.time is not None
         level = math.isinf(self.time.median) - self.suffices(within) - self.time.works(within)
-        other = not OTHER_SOFTWARE.isdisjoint(self.remedy.efforts)
+        other = not SOFTWARE_EFFORTS.isdisjoint(self.remedy.efforts)
         ranks = (level, other, self.remedy.effort_rank, self.time.rank)
         return not self.remedy.all_discover, *ranks
 
@@ -117,7 +115,7 @@ class DiscoveryResult:
     complete: bool = True
     #: Why simulations of the product may be wrong, if many messages are lost; else empty.
     caution: str = ""
-    #: Most that measured times on an emulated cell are as a multiple of simulated times [1].
+    #: Maximum ratio of times measured on an emulated cell to simulated ones [1].
     slowest: float = 1.0
     #: Largest number of hosts of one group with which the unchanged fleet meets its target:
     #: group, number, discovery time; None if unknown.
@@ -130,7 +128,7 @@ class DiscoveryResult:
 
     @property
     def surely_works(self) -> bool:
-        """Whether it works, also if reality is as slow as measured, and simulations are right."""
+        """Whether the fleet works even if reality is as slow as measured, without a caution."""
         today, within = self.today, self.within / self.slowest
         return today is not None and today.works(within) and not self.caution
 
@@ -164,7 +162,7 @@ class DiscoveryResult:
 
     @property
     def possibly_sufficient(self) -> tuple[SimulatedChange, ...]:
-        """The changes of which no repairs were simulated, and that may be enough."""
+        """The changes that may suffice, although their repairs were not simulated."""
         timed = [(c, c.time) for c in self.changes if c.time and c.time.is_lower_bound]
         return tuple(c for c, t in timed if t.lost < MAX_BOUND_LOSS and t.median <= self.within)
 
@@ -176,7 +174,7 @@ class DiscoveryResult:
     @property
     def needs_no_other_software(self) -> bool:
         """Whether the fleet works, unchanged or after a change that needs no other software."""
-        easy = (OTHER_SOFTWARE.isdisjoint(c.remedy.efforts) for c in self.sufficient)
+        easy = (SOFTWARE_EFFORTS.isdisjoint(c.remedy.efforts) for c in self.sufficient)
         return self.works or any(easy)
 
     @property
@@ -224,7 +222,7 @@ def simulate_changes(
     ``interruptible``, an interrupt ends the simulation with the results so far.
     """
     job = prepare_job(setting, max(within, TARGET_S))
-    singles = [_prepare_change(setting, r, remedies, within) for r in _selected(remedies)]
+    singles = [_prepare_change(setting, r, remedies, within) for r in _pick_remedies(remedies)]
     changes: list[SimulatedChange] = []
     rounded = simulated_fleet(setting.fleet)[1]
     answer = DiscoveryResult(within, None, job if isinstance(job, str) else "", rounded=rounded)
@@ -233,14 +231,14 @@ def simulate_changes(
         if isinstance(job, Job):
             work.add(0.0)
             ((_, today),) = simulate_jobs([job], work)
-            answer = _with_today(answer, setting.protocol, today)
+            answer = _add_unchanged_time(answer, setting.protocol, today)
         changes.extend(_simulate_prepared(singles, work))  # an interrupt leaves those that are done
         answer = replace(answer, changes=tuple(changes))
-        kept = [r for r in staggered if OTHER_MIDDLEWARE.isdisjoint(r.efforts)]
+        kept = [r for r in staggered if MIDDLEWARE_EFFORTS.isdisjoint(r.efforts)]
         others = [r for r in staggered if r not in kept]
         best = {r.steps: r for r in reversed(combinations) if "research" not in r.efforts}
         first = [r for r in combinations if r is best.get(r.steps)][:MAX_COMBINATIONS]
-        for joined in (_closest(changes, kept), _closest(changes, others), first):
+        for joined in (_pick_closest(changes, kept), _pick_closest(changes, others), first):
             if not (answer.surely_works or answer.sufficient):
                 jobs = [_prepare_change(setting, r, joined, within) for r in joined]
                 changes.extend(_simulate_prepared(jobs, work))
@@ -273,7 +271,7 @@ def simulate_unchanged(
         work.add(0.0)
         for place, time in _simulate_affordable(jobs, work):
             known = replace(found[place], reason="", complete=True)
-            found[place] = _with_today(known, settings[place].protocol, time)
+            found[place] = _add_unchanged_time(known, settings[place].protocol, time)
     return found
 
 
@@ -297,7 +295,7 @@ def simulate_late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime 
     return replace(found, times=tuple(time - begin for time in found.times))
 
 
-def _with_today(
+def _add_unchanged_time(
     answer: DiscoveryResult, protocol: Protocol, today: DiscoveryTime | str
 ) -> DiscoveryResult:
     """Add the discovery time of the unchanged fleet, with a caution if many messages are lost."""
@@ -322,11 +320,11 @@ def remedy_start_window(remedy: Remedy, within: float) -> float:
     return float(max(1, math.ceil(min(remedy.start_window, within / 2))))
 
 
-def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
+def _pick_remedies(remedies: Sequence[Remedy]) -> list[Remedy]:
     """Return the best remedies of each kind and product, at most `MAX_CHANGES` and all splits."""
     first: dict[str | None, Remedy] = {}
     for remedy in remedies:
-        helps = remedy.saved >= remedy_rules.MIN_SAVING or remedy.kind in SIMULATED_ANYWAY
+        helps = remedy.saved >= remedy_rules.MIN_SAVING or remedy.kind in ALWAYS_SIMULATED
         if helps and "research" not in remedy.efforts:
             product = remedy_rules.product_of(remedy.protocol)
             first.setdefault(product if "middleware" in remedy.steps else remedy.kind, remedy)
@@ -335,8 +333,8 @@ def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
     return whole[:MAX_CHANGES] + [r for r in first.values() if not r.all_discover]
 
 
-def _closest(changes: Sequence[SimulatedChange], staggered: Sequence[Remedy]) -> list[Remedy]:
-    """Return those changes with a staggered start whose change alone comes closest in its runs."""
+def _pick_closest(changes: Sequence[SimulatedChange], staggered: Sequence[Remedy]) -> list[Remedy]:
+    """Return the staggered changes whose change alone comes closest to the target in its runs."""
     ranks = {(c.remedy.steps, c.remedy.protocol): c.time.rank for c in changes if c.time}
     known = [r for r in staggered if (r.steps[:-1], r.protocol) in ranks]
     known.sort(key=lambda r: ranks[r.steps[:-1], r.protocol])
@@ -411,7 +409,7 @@ def _max_hosts_in_time(
         1 if len(fleet.groups) == 1 else 0,  # no host discovers itself
         int(largest.hosts),
         job,
-        lambda time: _with_today(answer, setting.protocol, time).surely_works,
+        lambda time: _add_unchanged_time(answer, setting.protocol, time).surely_works,
         work,
     )
     return found and (largest.name, *found)

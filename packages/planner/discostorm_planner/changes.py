@@ -78,7 +78,7 @@ class Setting:
 
     def baseline_of(self, steps: Sequence[Change]) -> Setting:
         """Return the setting to compare these changes with: same timing, and a comparable table."""
-        protocol = next((step.base for step in steps if step.base), self.protocol)
+        protocol = next((step.baseline for step in steps if step.baseline), self.protocol)
         wifi = self.wifi
         if wifi.radio and any(step.radio for step in steps):
             wifi = replace(wifi.radio.wifi(), name=wifi.name)
@@ -96,7 +96,7 @@ class Change:
     parts: tuple[Fleet, ...] = ()
     table: Protocol | None = None
     #: The protocol table to compare with, if not the plan's.
-    base: Protocol | None = None
+    baseline: Protocol | None = None
     radio: Callable[[Radio], Radio] | None = None
     #: A note on the change alone, and the part of the note that also holds in a combination.
     note: str = ""

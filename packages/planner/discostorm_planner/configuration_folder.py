@@ -22,7 +22,7 @@ from discostorm.host_configuration_files import (
 )
 from discostorm.snippets import set_start_window
 from discostorm_planner.change_simulation import remedy_start_window
-from discostorm_planner.fleet_changes import hosts_words
+from discostorm_planner.fleet_changes import hosts_in_words
 from discostorm_planner.remedy import Remedy
 
 #: The sample nodes of a launch file.
@@ -66,7 +66,7 @@ def _domain_lines(fleet: Fleet, remedy: Remedy) -> Iterator[str]:
     count = len(remedy.fleets)
     first = min(1 if fleet.domain is None else fleet.domain, MAX_DOMAIN + 1 - count)
     for place, part in enumerate(remedy.fleets):
-        hosts = [hosts_words(group.hosts, group.name or "hosts") for group in part.groups]
+        hosts = [hosts_in_words(group.hosts, group.name or "hosts") for group in part.groups]
         if fleet.hosts() <= MAX_HOSTS:  # they are dealt in turn
             hosts = [*groups_by_host_name(fleet)][place::count]
         domain = f"export ROS_DOMAIN_ID={first + place:g}"
@@ -82,7 +82,7 @@ def texts_by_path(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]
     texts = {f"{host.name}/{path}": text for host in hosts for path, text in host.files.items()}
     pieces = zip(remedy.snippets, pasted, strict=True)
     texts |= {f"by_hand/{piece.file}": text for piece, text in pieces if piece.file in by_hand}
-    words = [hosts_words(group.hosts, group.name or "robots") for group in fleet.groups]
+    words = [hosts_in_words(group.hosts, group.name or "robots") for group in fleet.groups]
     title = f"{wording.capitalized(remedy.what)}: {wording.join_words(words)}"
     merged = [piece for piece in remedy.snippets if piece.file in by_hand]
     left = [f"| `{piece.file}` | {piece.where} | {piece.load} |\n" for piece in merged]

@@ -14,7 +14,7 @@ RUNS = 10
 #: Keys of the sentences on losses at the robots, at the access point, and on the air.
 _LOSS_SENTENCES = ("robots lose", "access point loses", "air loses")
 #: Expired leases per pair from which they count as a cause of slow discovery [1].
-MIN_EXPIRED = 0.05
+MIN_EXPIRED_PER_PAIR = 0.05
 #: Minimum relative gain of time that is worth mentioning [1].
 MIN_RELATIVE_GAIN = 0.2
 #: Minimum share of completed pairs for which an insufficient change is named [1].
@@ -65,7 +65,7 @@ class DiscoveryTime:
         return self.times[math.ceil(0.9 * len(self.times)) - 1]
 
     @property
-    def nine_of_ten_good(self) -> float:
+    def nine_of_ten_unexpired(self) -> float:
         """Time within which nine of ten runs complete discovery without an expired lease [s]."""
         runs = zip(self.times, self.expired_per_pair, strict=True)
         good = sorted(math.inf if expired else time for time, expired in runs)
@@ -73,7 +73,7 @@ class DiscoveryTime:
 
     @property
     def rank(self) -> tuple[float, ...]:
-        """Sort key: the shortest median first, and the most completed pairs of those without."""
+        """Sort key: the shortest median first; without a median, the most completed pairs first."""
         return self.median, self.nine_of_ten, -median(self.pairs_done or (0.0,))
 
     @property
@@ -83,7 +83,7 @@ class DiscoveryTime:
 
     def works(self, within: float) -> bool:
         """Return whether nine of ten runs complete within a time [s] without expired leases."""
-        return self.nine_of_ten_good <= within and not self.is_lower_bound
+        return self.nine_of_ten_unexpired <= within and not self.is_lower_bound
 
     @property
     def expired_lease_runs(self) -> int:
@@ -108,10 +108,10 @@ class DiscoveryTime:
             return ["periodic traffic fills"]
         most = max(self.lost_by_place)
         losses = [_LOSS_SENTENCES[self.lost_by_place.index(most)]] if most else []
-        return losses + ["leases end"] * (median(self.expired_per_pair) > MIN_EXPIRED)
+        return losses + ["leases end"] * (median(self.expired_per_pair) > MIN_EXPIRED_PER_PAIR)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what JSON can hold: infinity is None."""
+        """Return a dict for JSON, with infinity as None."""
         low, high = self.median_interval
         found = {
             "median_s": self.median,
@@ -127,5 +127,4 @@ class DiscoveryTime:
             "simulated_s": self.simulated_seconds,
             "repairs_simulated": self.repaired,
         }
-        ready: dict[str, Any] = json_ready(found)
-        return ready
+        return dict(json_ready(found))

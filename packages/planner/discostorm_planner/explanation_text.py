@@ -10,7 +10,7 @@ from discostorm import wording
 from discostorm.messages import ENDPOINT, PAPER_WINDOW, Unit
 from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi.radio import TOPOLOGY
-from discostorm_planner.aggregation_range import AggregationRange, Verdict
+from discostorm_planner.aggregation_range import AggregationRange
 from discostorm_planner.answer_text import describe_change, describe_time, fill, time_after
 from discostorm_planner.further_loads import ConfigurationLoad, UserDataLoad
 from discostorm_planner.service_reply_wait import MAX_BLOCKING_TIME
@@ -21,20 +21,20 @@ if TYPE_CHECKING:
 
 #: Maximum number of groups that are named.
 _MAX_GROUPS = 5
-_DATA_FIT: dict[Verdict, str] = {"fits": "fit", "may fit": "may fit", "does not fit": "do not fit"}
+_DATA_FIT = {"fits": "fit", "may fit": "may fit", "does not fit": "do not fit"}
 
 
 def format_explanation(plan: Plan, width: int) -> str:
     """Return all explanations in lines of at most ``width`` letters."""
     if plan.all_wired:
-        return wording.wrapped(wording.ALL_WIRED, width)
+        return wording.wrap(wording.ALL_WIRED_NOTE, width)
     alone = plan.fleet.hosts() == 1
     lines = [] if alone else [*_drain_time_lines(plan), *_service_wait_lines(plan), ""]
     if plan.data:
         lines += [*_user_data_lines(plan.data, plan.window), ""]
     lines += [*_airtime_lines(plan), "", "Largest parts of this airtime:", *_share_lines(plan)]
     if alone:  # a lone robot needs no change
-        return _wrap_lines([*lines, "", wording.ALONE], width)
+        return _wrap_lines([*lines, "", wording.LONE_HOST_NOTE], width)
     number = 0
     for title, remedies in plan.sections().items():
         lines += ["", title]
@@ -68,7 +68,7 @@ def _change_with_times(plan: Plan, remedy: Remedy) -> str:
 
 
 def _wrap_lines(lines: list[str], width: int) -> str:
-    return "\n".join(wording.wrapped(line, width) for line in lines)
+    return "\n".join(wording.wrap(line, width) for line in lines)
 
 
 def _drain_time_lines(plan: Plan) -> Iterator[str]:
@@ -176,7 +176,7 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
     timed = [r.before for r in plan.remedies if r.wifi != plan.wifi]
     before = next((value for value in timed if value != plan.utilization), None)
     if before is not None and not plan.utilization_range.differs:
-        yield fill("standard timing", airtime=wording.airtime(before, plan.window))
+        yield fill("standard timing", airtime=wording.airtime_text(before, plan.window))
 
 
 def _at_least(number: AggregationRange) -> str:
@@ -190,7 +190,7 @@ def _percent_range(number: AggregationRange) -> str:
 
 def _time_range(number: AggregationRange, window: float = 1.0) -> str:
     low = number.bounds[0] * window
-    return _at_least(number) + wording.durations(low, low)
+    return _at_least(number) + wording.time_range(low, low)
 
 
 def configuration_table(configurations: tuple[ConfigurationLoad, ...], width: int) -> list[str]:
@@ -200,7 +200,7 @@ def configuration_table(configurations: tuple[ConfigurationLoad, ...], width: in
     rows = [
         (
             row.name,
-            wording.durations(row.startup.bounds[0], row.startup.bounds[0], never="never done"),
+            wording.time_range(row.startup.bounds[0], row.startup.bounds[0], never="never done"),
             wording.percent(row.steady_range.bounds[0]),
         )
         for row in sorted(configurations, key=lambda row: row.startup.bounds)
@@ -208,7 +208,7 @@ def configuration_table(configurations: tuple[ConfigurationLoad, ...], width: in
     widths = [max(map(len, column)) for column in zip(title, *rows, strict=True)]
     if sum(widths) + 6 > width:
         sentences = (f"- {n}: {title[1]} {time}, {title[2]} {share}" for n, time, share in rows)
-        return [wording.wrapped(sentence, width) for sentence in sentences]
+        return [wording.wrap(sentence, width) for sentence in sentences]
     return [
         f"  {name:<{widths[0]}}  {time:>{widths[1]}}  {share:>{widths[2]}}"
         for name, time, share in (title, *rows)

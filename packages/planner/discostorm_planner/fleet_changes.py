@@ -19,7 +19,7 @@ _TAKES_S = re.compile(r"[a-z]([a-gi-rt-w]|[aeo]y)$")
 
 
 def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
-    """Yield fewer processes and fewer endpoints, or the reason why a change does not apply."""
+    """Yield changes to fewer processes or endpoints, or the reason why one does not apply."""
     several = [group for group in fleet.groups if group.processes > 1]
     if several:
         which = "the processes of each host"
@@ -62,7 +62,7 @@ def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
 
 
 def split_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
-    """Yield the parts of a fleet on separate channels or domains, or why a split does not apply."""
+    """Yield splits of a fleet over channels or domains, or the reason why one does not apply."""
     hosts = sum(group.hosts for group in fleet.groups)
     domains = rule("domains", protocol.family)
     works = domains is not None and domains["works"] == "computed"
@@ -114,7 +114,7 @@ def group_suffix(group: HostGroup) -> str:
     return f" of {group.name}" if group.name else ""
 
 
-def hosts_words(count: float, name: str) -> str:
+def hosts_in_words(count: float, name: str) -> str:
     """Return a number of hosts of a group, in the plural if its name surely is a singular."""
     plurals = {row["robot"]: row["plural"] for row in read_data("fleets/robots.csv")}
     many = plurals.get(name, name + "s" * bool(_TAKES_S.search(name)))

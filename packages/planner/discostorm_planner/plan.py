@@ -11,9 +11,9 @@ from typing import Any, Literal
 from discostorm import _checks, wording
 from discostorm.fleet import COUNTS, MIN_COUNTS, Fleet, as_fleet
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
-from discostorm.measured import error_band
 from discostorm.messages import PAPER_WINDOW
 from discostorm.model import message_costs, utilization_without_each_group
+from discostorm.prediction_error import error_band
 from discostorm.protocols import DDS
 from discostorm.wifi import PAPER
 from discostorm.wifi.radio import aggregation_bounds
@@ -136,9 +136,8 @@ def plan(
         needs = f"the periodic traffic alone needs {wording.percent(steady.full)} of the channel"
         del remedies[STAGGERED_START]
         reasons.insert(0, f"{STAGGERED_START.what}: {needs}, so no window is long enough")
-    combined = [
-        _compute_remedy(base, steps, seconds) for steps in _best_sets(base, remedies, seconds)
-    ]
+    best_sets = _best_sets(base, remedies, seconds)
+    combined = [_compute_remedy(base, steps, seconds) for steps in best_sets]
     captured, key = protocol.captured, protocol.key
     return Plan(
         fleet=fleet,

@@ -37,7 +37,7 @@ def protocol_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Cha
 
 
 def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | str]:
-    """Yield other configurations of products; with the paper's counts, beside measured tables."""
+    """Yield other configurations of products; for the paper's counts, compare measured tables."""
     for row in rules.configuration_rules():
         table, product = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
         if table is None or rules.same_table(table, protocol):
@@ -66,7 +66,7 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
                 note = f"{note}, and " * bool(note)
                 note += f"the server forwards everything, as in {release}"
         yield Change(
-            kind, what, "table", table=table, base=base, basis_note=note, steps=tuple(steps)
+            kind, what, "table", table=table, baseline=base, basis_note=note, steps=tuple(steps)
         )
 
 
@@ -184,7 +184,7 @@ def session_setup_note(
     so = "more than the sessions need"
     if gap + double >= 0:
         so = "and the sessions add to that" if gap >= 0 else "so either may need less"
-    *adds, apart = (wording.airtime(value, window) for value in (single, double, abs(gap)))
+    *adds, apart = (wording.airtime_text(value, window) for value in (single, double, abs(gap)))
     return (
         f"the paper does not count how Zenoh opens sessions: that adds {adds[0]} if one side "
         f"dials, {adds[1]} if both do. Both protocols differ by {apart}, {so}"
@@ -192,7 +192,7 @@ def session_setup_note(
 
 
 def _session_setup(sides: int) -> Protocol:
-    """Return the messages that open sessions, if one or both peers of a link dial."""
+    """Return the messages that open sessions, if one side or both sides of a link dial."""
     # A session joins an unordered pair of processes, which is two ordered pairs.
     count = sides * defaults("Zenoh")["session_messages"] / 2
     keep_alive = ZENOH.message("KeepAlive")

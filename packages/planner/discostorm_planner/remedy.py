@@ -13,7 +13,7 @@ from discostorm.messages import Protocol
 from discostorm.snippets import Snippet, snippets
 from discostorm.wifi import Wifi
 from discostorm_planner import remedy_rules
-from discostorm_planner.aggregation_range import AggregationRange, Verdict
+from discostorm_planner.aggregation_range import AggregationRange, ChannelFit
 from discostorm_planner.remedy_rules import MIN_SAVING, is_gerund
 
 
@@ -91,7 +91,7 @@ class Remedy:
         return self.steady_range.single
 
     @property
-    def verdict(self) -> Verdict:
+    def verdict(self) -> ChannelFit:
         """Whether the fleet fits with the remedy: at both ends of the range, at one, or at none."""
         return self.range_after.verdict
 
@@ -139,8 +139,8 @@ class Remedy:
 
     def gain_clause(self, subject: str = "") -> str:
         """State the saving, as words that follow the remedy's name, or that of another subject."""
-        before = wording.airtime(self.before, self.window)
-        after = wording.airtime(self.utilization, self.window)
+        before = wording.airtime_text(self.before, self.window)
+        after = wording.airtime_text(self.utilization, self.window)
         article = self.what.split()[0] in ("a", "an", "another", "the") or is_gerund(self.what)
         s = "s" if subject or (article and self.kind != "combination") else ""
         if self.kind == "staggered start":

@@ -6,13 +6,13 @@ from typing import get_args
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm.measured import product_releases, products
 from discostorm.messages import Family, Protocol, legs
 from discostorm.protocols import PROTOCOLS
+from discostorm.protocols.measured_tables import product_releases, products
 
 #: Minimum useful saving of a change [1].
 MIN_SAVING = 0.005
-#: Range of what was never compared: a factor of 2, as for fleets beyond those measured.
+#: Ratios for products without a comparison: a factor of 2, as for fleets beyond those measured.
 UNMEASURED_RATIOS = {"hosts": "0", "seconds": "0", "low": "0.5", "high": "2"}
 
 
@@ -102,7 +102,7 @@ def uses_server_of(protocol: Protocol, today: Protocol) -> bool:
 
 
 def _row_of(protocol: Protocol, rows: Mapping[str, dict[str, str]]) -> dict[str, str]:
-    """Return the row of a table; a configuration, or what a change makes, has its product's."""
+    """Return the row of a table or, if it has none, the row of its product; empty without both."""
     names = (protocol.key or "", protocol.product or "") if is_measured(protocol) else ()
     return next((rows[name] for name in names if name in rows), {})
 

@@ -13,12 +13,12 @@ from discostorm import _checks, _names, wording
 from discostorm.data import read_data
 from discostorm.files import json_ready
 from discostorm.fleet import Fleet
-from discostorm.measured import ErrorBand
 from discostorm.messages import Protocol
+from discostorm.prediction_error import ErrorBand
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner import answer_text, explanation_text
-from discostorm_planner.aggregation_range import AggregationRange, Verdict
+from discostorm_planner.aggregation_range import AggregationRange, ChannelFit
 from discostorm_planner.change_simulation import (
     DiscoveryResult,
     paste_name,
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 #: Maximum number of changes in an explanation by airtime, and keys of discovery times in tables.
-_BEST = 3
+_MAX_EXPLAINED = 3
 TIME_KEYS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
 
 
@@ -140,7 +140,7 @@ class Plan:
 
     @cached_property
     def late_join(self) -> DiscoveryTime | None:
-        """Discovery time of a robot that starts after all others; None if not, or interrupted."""
+        """Discovery time of a robot that starts after all others; None if not simulated."""
         today = None if self.all_wired or self.fleet.hosts() == 1 else self.discovery.today
         try:
             return simulate_late_join(self._setting, today) if today else None
@@ -175,7 +175,7 @@ class Plan:
         return self.steady_range.single
 
     @property
-    def verdict(self) -> Verdict:
+    def verdict(self) -> ChannelFit:
         """Whether the fleet fits: with one frame per exchange, only with full A-MPDUs, or never."""
         return self.utilization_range.verdict
 
@@ -256,7 +256,7 @@ class Plan:
         for remedy in self.remedies:
             if remedy.saved >= MIN_SAVING and remedy.all_discover:
                 of_kind.setdefault(remedy.kind, remedy)
-        airtime = [r for r in of_kind.values() if "research" not in r.efforts][:_BEST]
+        airtime = [r for r in of_kind.values() if "research" not in r.efforts][:_MAX_EXPLAINED]
         parts = [c.remedy for c in found.changes if c.time and not c.remedy.all_discover]
         sections = {
             "Changes, in the order of the answer:": [change.remedy for change in found.helpful],
@@ -282,26 +282,26 @@ class Plan:
         for row in others:
             if row["kind"] in named:
                 named.setdefault(row["name"], named[row["kind"]])
-        found = {_short_key(key): remedy for key, remedy in reversed(named.items())}
-        wanted = _short_key(name)
+        found = {_bare_name(key): remedy for key, remedy in reversed(named.items())}
+        wanted = _bare_name(name)
         if wanted in found:
             return found[wanted]
         kinds = [paste_name(r, remedies) for r in self.remedies if r.snippets]
         like = _names.did_you_mean(name, [one for one in named if "staggered" not in one])
-        if wanted in {_short_key(row[of]) for row in others for of in ("name", "kind")}:
+        if wanted in {_bare_name(row[of]) for row in others for of in ("name", "kind")}:
             like = f", which {self.protocol.name} has already or cannot have"
         raise ValueError(
             f"change must be one of {wording.join_words(kinds, 'or')}; "
             f"got {_checks.shorten_name(name)!r}{like}"
         )
 
-    def advice(self, width: int = 79, *, every: bool = False) -> str:
+    def advice(self, width: int = 79, *, all_changes: bool = False) -> str:
         """Say whether the startup works and what to do first, in lines of that width.
 
-        With ``every``, name all changes that were tried.
+        With ``all_changes``, name all changes that were tried.
         """
         _checks.integer("width", width, 1)
-        return answer_text.format_answer(self, int(width), every=every)
+        return answer_text.format_answer(self, int(width), all_changes=all_changes)
 
     def why(self, width: int = 79) -> str:
         """Explain drain time, airtime and its parts, changes, configurations and assumptions."""
@@ -312,10 +312,10 @@ class Plan:
         return self.advice()
 
 
-def _short_key(name: str) -> str:
-    """Return what spellings of a change's name share: no article, plural, window or number."""
+def _bare_name(name: str) -> str:
+    """Return a change's name in lower case, without article, plural, window and number."""
     name = re.sub(r"(?i), at random within .*| or fewer\b|^(an?|another|the) ", "", name.strip())
-    return _names.key(re.sub(r"(processes\b.* into) \d+", r"\1 1", name)).removesuffix("s")
+    return _names.normalize(re.sub(r"(processes\b.* into) \d+", r"\1 1", name)).removesuffix("s")
 
 
 def simulate_protocols(plans: Sequence[Plan], progress: Progress | None = None) -> None:

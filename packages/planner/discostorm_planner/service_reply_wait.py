@@ -33,7 +33,7 @@ def required_reply_wait(pair_times: ArrayLike, share: float = REQUIRED_REPLY_SHA
 
 
 def _reply_waits(pair_times: ArrayLike) -> NDArray[np.float64]:
-    """Return how much later a server discovers its client than the client the server [s]."""
+    """Return how long after its client discovered it a server discovers the client [s]."""
     waits = [np.zeros(0)]
     for run in np.atleast_2d(pair_times):
         known = np.quantile(run, np.linspace(0, 1, _MAX_SAMPLED_TIMES), method="higher")

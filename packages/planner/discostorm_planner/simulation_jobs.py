@@ -160,7 +160,7 @@ def prepare_job(
 def simulate_jobs(
     jobs: Sequence[Job], work: WorkMeter
 ) -> Iterator[tuple[int, DiscoveryTime | str]]:
-    """Simulate jobs in threads; yield each's place and discovery time, or why it is unknown.
+    """Simulate jobs in threads; yield each job's index, and its time or why it is unknown.
 
     A long job whose first run ends with less than `MIN_PAIRS` of the pairs has no other runs.
     """

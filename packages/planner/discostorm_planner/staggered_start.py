@@ -4,10 +4,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm import _checks
+from discostorm.drain_times import drain_time
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.model import burst
-from discostorm.timeline import drain_time
 from discostorm.wifi import PAPER, Wifi
 
 

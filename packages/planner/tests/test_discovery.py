@@ -81,7 +81,7 @@ def test_an_answer_has_at_most_25_lines_and_none_of_the_old_phrases(
     assert len(lines) <= 25
     assert max(map(len, lines)) <= 79
     assert lines[0].startswith(("Yes", "Probably", "No", "A single host"))
-    told = " ".join(plan.advice().split()) + " ".join(plan.advice(every=True).split())
+    told = " ".join(plan.advice().split()) + " ".join(plan.advice(all_changes=True).split())
     for phrase in FORBIDDEN:
         assert phrase not in told
         assert phrase not in " ".join(plan.why().split())
@@ -159,7 +159,7 @@ def test_what_the_simulation_leaves_out_makes_an_answer_unsure_where_messages_ar
     few, many = (ds.plan(ds.Fleet.swarm(n, 2, 10), FAST_DDS) for n in (3, 12))
     assert few.advice().startswith("Yes, this startup works")
     assert few.discovery.surely_works
-    said = " ".join(many.advice(every=True).split())
+    said = " ".join(many.advice(all_changes=True).split())
     assert said.startswith("Not sure: in simulations, 12 hosts discover each other within 60 s")
     assert ", but it repeats otherwise." in said
     assert many.to_dict()["discovery"]["caution"] == "it repeats otherwise"
@@ -231,7 +231,7 @@ def test_another_ros_release_is_a_change_where_it_was_measured() -> None:
     assert release.time is not None
     newer = as_it_is(plan.fleet, ds.PROTOCOLS["Fast DDS 2.14"])
     assert newer.today == release.time
-    said = " ".join(plan.advice(every=True).split())
+    said = " ".join(plan.advice(all_changes=True).split())
     told = answer_text.describe_time(release.time)
     assert f"-> {told}. Effort: another ROS release. Cost: all computers need the new ROS" in said
 
@@ -246,7 +246,7 @@ def test_domains_are_simulated_as_parts_that_share_the_channel() -> None:
     parts = domains.remedy.fleets
     alone = ds.simulate(parts[0], FAST_DDS, ds.PAPER, runs=10, seed=0, until=60.0)
     assert np.median(alone.convergence_time) < domains.time.median < today.median
-    said = " ".join(plan.advice(every=True).split())
+    said = " ".join(plan.advice(all_changes=True).split())
     assert f"no longer discover each other: splitting into {len(parts)} domains (at least " in said
     assert "Real times are longer, because messages of different domains also collide" in said
     job = simulation_jobs.prepare_job(Setting(SMALL, FAST_DDS, ds.PAPER), 60.0)
@@ -274,7 +274,7 @@ def test_the_smallest_reduction_that_suffices_is_said_and_what_fits_as_it_is() -
     beyond = as_it_is(more, FAST_DDS)
     assert beyond.today is not None
     assert not beyond.works
-    said = " ".join(plan.advice(every=True).split())
+    said = " ".join(plan.advice(all_changes=True).split())
     assert f"Composing 6 processes into {count} or fewer: never" in said
     assert " if all are composed into 1" in said
     assert found.to_dict()["changes"][found.changes.index(change)]["enough"]["suffices"]
@@ -284,7 +284,7 @@ def test_the_first_step_needs_no_other_software() -> None:
     plan = ds.plan(ds.Fleet.swarm(12, 4, 60), FAST_DDS)
     found = plan.discovery
     assert all(
-        change_simulation.OTHER_SOFTWARE.intersection(c.remedy.efforts) for c in found.sufficient
+        change_simulation.SOFTWARE_EFFORTS.intersection(c.remedy.efforts) for c in found.sufficient
     )
     assert found.hosts_in_time is not None
     name, count, time = found.hosts_in_time
@@ -366,7 +366,7 @@ def test_what_suffices_with_little_effort_comes_first_and_nothing_gains_less_tha
         assert works == sorted(works, reverse=True)
         ranks = [
             (
-                any(e in change_simulation.OTHER_SOFTWARE for e in c.remedy.efforts),
+                any(e in change_simulation.SOFTWARE_EFFORTS for e in c.remedy.efforts),
                 c.remedy.effort_rank,
             )
             for c in found.sufficient
@@ -522,7 +522,7 @@ def test_a_fleet_whose_largest_part_is_wired_gets_an_answer() -> None:
 
 def test_the_time_of_nine_runs_leaves_out_those_that_lose_leases() -> None:
     runs = replace(time(*range(1, 11)), expired_per_pair=(1.0, *[0.0] * 9))
-    assert (runs.nine_of_ten, runs.nine_of_ten_good) == (9, 10)
+    assert (runs.nine_of_ten, runs.nine_of_ten_unexpired) == (9, 10)
     assert runs.works(10)
     assert not runs.works(9)
 
@@ -575,7 +575,7 @@ def test_the_command_prints_answer_changes_and_explanations(tmp_path: Path) -> N
     options = ("plan", "--hosts", "12", "--processes", "2", "--endpoints", "10")
     plan = ds.plan(GIVEN, FAST_DDS, within=5)
     assert run(*options, "--within", "5").stdout == plan.advice() + "\n"
-    assert run(*options, "--within", "5", "--all").stdout == plan.advice(every=True) + "\n"
+    assert run(*options, "--within", "5", "--all").stdout == plan.advice(all_changes=True) + "\n"
     both = run(*options, "--within", "5", "--why").stdout
     assert both == f"{plan.advice()}\n\n{plan.why()}\n"
     told = json.loads(run(*options, "--within", "5", "--json").stdout)["discovery"]
@@ -718,7 +718,7 @@ def test_a_change_is_enough_only_if_the_slowest_measured_run_would_meet_the_targ
     assert fewer not in found.sufficient
     assert found.sufficient
     assert not plan.to_dict()["discovery"]["changes"][found.changes.index(fewer)]["suffices"]
-    said = " ".join(plan.advice(every=True).split())
+    said = " ".join(plan.advice(all_changes=True).split())
     row = said.partition("Composing 2 processes into 1: ")[2]
     assert "Probably enough: in reality up to 12 s." in row.partition(" 4. ")[0]
     # What is enough in simulations comes before what is not even that.

@@ -23,7 +23,7 @@ def test_where_no_change_is_enough_the_best_is_simulated_with_a_staggered_start(
     first = found.sufficient[0]
     assert first.name == "processes + staggered start"
     assert first.start_window > 0
-    assert change_simulation.OTHER_MIDDLEWARE.isdisjoint(first.remedy.efforts)
+    assert change_simulation.MIDDLEWARE_EFFORTS.isdisjoint(first.remedy.efforts)
     said = " ".join(plan.advice().split())
     assert "First step: 1. Composing 6 processes into" in said
     assert f"and starting one after the other, at random within {first.start_window:g} s" in said

@@ -84,7 +84,7 @@ def test_names_of_groups_get_an_s_only_where_they_are_words_in_the_singular() ->
         (2, "AGV", "2 AGV"),
         (1_200, "cart", "1,200 carts"),
     ):
-        assert fleet_changes.hosts_words(count, name) == told
+        assert fleet_changes.hosts_in_words(count, name) == told
     fleet = ds.Fleet((ds.HostGroup(2, 1, 5, "picker"), ds.HostGroup(1, 1, 5, "drone")))
     said = " ".join(ds.plan(fleet, ds.PROTOCOLS["Fast DDS"], AC).advice().split())
     assert said.startswith("Yes, this startup works: 2 pickers and 1 drone discover each other")

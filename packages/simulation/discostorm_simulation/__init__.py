@@ -20,7 +20,7 @@ from discostorm.fleet import Fleet
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.wifi import PAPER
 from discostorm_simulation._memory import available_megabytes
-from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD, disc, powers
+from discostorm_simulation.propagation import MAX_DECIBELS, THRESHOLD, disc, powers
 from discostorm_simulation.result import NoRecovery, Run, Simulation
 from discostorm_simulation.starts import Start, describe_start
 
@@ -194,8 +194,8 @@ def _capture_thresholds(threshold: Any) -> tuple[float, float]:
     """Return the capture thresholds [dB]: for unicast data, and for the basic rate."""
     told = "a tuple of two numbers, of data and of the basic rate"
     data, basic = _check_pair("threshold", threshold, told)
-    data = _checks.number("threshold[0]", data, 0, MOST_DECIBELS)
-    return data, _checks.number("threshold[1]", basic, 0, MOST_DECIBELS)
+    data = _checks.number("threshold[0]", data, 0, MAX_DECIBELS)
+    return data, _checks.number("threshold[1]", basic, 0, MAX_DECIBELS)
 
 
 def _simulate_in_threads(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:

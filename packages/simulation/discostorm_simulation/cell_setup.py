@@ -21,11 +21,11 @@ from discostorm_simulation import state as st
 from discostorm_simulation.state import Records
 
 #: Maximum number of transmissions of a frame: dot11ShortRetryLimit (IEEE Std 802.11-2020, C.3).
-ATTEMPTS = 7
+MAX_ATTEMPTS = 7
 #: Time from the start of an OFDM frame to its detection [s]: aRxPHYStartDelay (17.4.4).
 RX_START_DELAY = 20e-6
 #: Minimum length of the block acknowledgement window [frames] (10.25).
-WINDOW = 64
+BLOCK_ACK_WINDOW = 64
 #: Extra airtime of an action frame (37 octets) over an ACK (14 octets) at 6 Mbit/s [s]: 8 symbols.
 EXTRA_ADDBA_TIME = 8 * 4e-6
 #: Maximum PSDU length of 802.11n (19.4.4), and maximum packet length of IPv4 (RFC 791) [B].
@@ -106,7 +106,7 @@ def radio_record(
     whole = {
         "cw_min": radio.cw_min,
         "cw_max": radio.cw_max,
-        "attempts": ATTEMPTS,
+        "attempts": MAX_ATTEMPTS,
         # Stations without QoS count back-off slots only at the end of an idle slot.
         "edca": radio.standard not in ("802.11a", "802.11g"),
         "bits": padding.bits,
@@ -114,7 +114,7 @@ def radio_record(
         "mpdus": aggregation.mpdus if aggregation else 1,
         "max_bytes": aggregation.most_bytes if aggregation else 0,
         "min_subframe": aggregation.least_bytes if aggregation else 0,
-        "window": max(WINDOW, aggregation.mpdus) if aggregation else 1,
+        "window": max(BLOCK_ACK_WINDOW, aggregation.mpdus) if aggregation else 1,
         "queue": int(min(queue[0], int(st.NEVER))),
     }
     record = np.zeros(1, st.RADIO)

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 import discostorm as ds
-from discostorm import _checks, timeline, wording
+from discostorm import _checks, drain_times, wording
 from discostorm.cli import fleet_options as fleets, output as out
 from discostorm.cli.options import option_group, output_options, protocol_option, radio_options
 from discostorm.cli.output import Column, Output
@@ -23,7 +23,7 @@ DELAYS = {"delay_median_s": "median delay", "delay_95_s": "95%", "delay_most_s":
 
 
 @dataclass(frozen=True)
-class Runs:
+class RunOptions:
     """Options of the command `simulate`."""
 
     runs: int
@@ -50,10 +50,10 @@ class Runs:
             return out.format_seconds(taken)
         if self.no_recovery:  # without recovery, nothing retransmits lost frames
             return "never, as frames were lost"
-        return self.not_within
+        return self.not_observed_text
 
     @property
-    def not_within(self) -> str:
+    def not_observed_text(self) -> str:
         """Text for a time that exceeds the simulated period."""
         after = " after the last start" if self.window else ""
         return f"not within {_checks.format_exact(self.until)} s{after}"
@@ -64,19 +64,19 @@ class Runs:
         known = sorted(found.convergence_time.tolist())
         in_time = [time for time in known if time < float("inf")]
         if not in_time:
-            return f"Your robots do not all know each other {self.not_within[4:]} ({runs})."
+            return f"Your robots do not all know each other {self.not_observed_text[4:]} ({runs})."
         late = len(known) - len(in_time)
-        missing = f", in {late} of them {self.not_within}" if late else ""
-        taken = wording.durations(in_time[0], in_time[-1])
+        missing = f", in {late} of them {self.not_observed_text}" if late else ""
+        taken = wording.time_range(in_time[0], in_time[-1])
         return f"Your robots know each other after {taken} ({runs}{missing})."
 
 
 def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
     """Describe a run without recovery: how long startup keeps the channel busy."""
     channels = [(seen, own) for _, seen, own in fleets.channels_by_cell(fleet, wifi)]
-    taken = max(float(timeline.drain_time(protocol, seen, wifi=own)) for seen, own in channels)
+    taken = max(float(drain_times.drain_time(protocol, seen, wifi=own)) for seen, own in channels)
     busy = f"for {wording.duration(taken)}" if taken < float("inf") else "indefinitely"
-    lost = wording.percents(found.lost.min(), found.lost.max())
+    lost = wording.percent_range(found.lost.min(), found.lost.max())
     return (
         f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then some "
         f"robots do not see each other. Here {lost} of the frames are lost, and stay lost. "
@@ -93,15 +93,15 @@ def compare_drain_times(with_data: ds.Simulation, without_data: ds.Simulation) -
     return f" The simulated startup burst is {longer} beside your data, and {usual} without them."
 
 
-def _number_option(name: str, default: float, told: str, unit: str | None = None) -> Any:
+def _number_option(name: str, default: float, text: str, unit: str | None = None) -> Any:
     """Return a click option for a number."""
     return click.option(
-        name, type=type(default), default=default, show_default=True, metavar=unit, help=told
+        name, type=type(default), default=default, show_default=True, metavar=unit, help=text
     )
 
 
-def _flag(name: str, told: str) -> Any:
-    return click.option(name, is_flag=True, help=told)
+def _flag(name: str, text: str) -> Any:
+    return click.option(name, is_flag=True, help=text)
 
 
 @fleets.describe_matching
@@ -109,8 +109,8 @@ def _flag(name: str, told: str) -> Any:
 @fleets.swarm_options
 @protocol_option
 @option_group(
-    "how",
-    Runs,
+    "options",
+    RunOptions,
     _number_option("--runs", 5, "Independent runs."),
     _number_option("--seed", 0, "Random seed."),
     _number_option("--loss", 0.0, "Frame error rate, 0 to below 1."),
@@ -124,9 +124,9 @@ def _flag(name: str, told: str) -> Any:
 @radio_options
 @output_options
 def simulate(
-    members: fleets.FleetInput,
+    fleet_input: fleets.FleetInput,
     protocols: tuple[ds.Protocol, ...],
-    how: Runs,
+    options: RunOptions,
     wifi: Wifi,
     output: Output,
 ) -> None:
@@ -157,11 +157,11 @@ def simulate(
     found: dict[str, ds.Simulation] = {}
     alone: dict[str, ds.Simulation] = {}
     refused: dict[str, str] = {}
-    fleet, wifi = _round_endpoints(members.fleet), aggregation_bounds(wifi)[0]
+    fleet, wifi = _round_endpoints(fleet_input.fleet), aggregation_bounds(wifi)[0]
     cells = (replace(one, wifi=aggregation_bounds(as_wifi(one.wifi))[0]) for one in fleet.cells)
     fleet = replace(fleet, cells=tuple(cells))
     with out.bad_input():
-        arguments = how.arguments()
+        arguments = options.arguments()
         for protocol in protocols:
             cases = (fleet, fleet.without_data()) if fleet.has_data else (fleet,)
             try:
@@ -176,8 +176,8 @@ def simulate(
             if fleet.has_data:
                 alone[protocol.name] = results[1]
     if refused:
-        told, why = wording.join_words(list(refused)), next(iter(refused.values()))
-        click.echo(out.visible(f"Note: recovery is not simulated with {told}: {why}."), err=True)
+        text, why = wording.join_words(list(refused)), next(iter(refused.values()))
+        click.echo(out.visible(f"Note: recovery is not simulated with {text}: {why}."), err=True)
     if output.as_json:
         beside = {name: {"without_data": one.to_dict()} for name, one in alone.items()}
         answers = [one.to_dict() | beside.get(name, {}) for name, one in found.items()]
@@ -185,11 +185,11 @@ def simulate(
         return
     if output.for_people and len(found) == 1:
         ((name, one),) = found.items()
-        modeled = not how.no_recovery and name not in refused
-        said = how.answer(one) if modeled else describe_drain(protocols[0], fleet, wifi, one)
+        modeled = not options.no_recovery and name not in refused
+        said = options.answer(one) if modeled else describe_drain(protocols[0], fleet, wifi, one)
         if name in alone and not modeled:
             said += compare_drain_times(one, alone[name])
-        click.echo(out.visible(wording.wrapped(said)) + "\n")
+        click.echo(out.visible(wording.wrap(said)) + "\n")
     shown = ("run", "drain_time_s", "lost", "convergence_time_s", WITHOUT_DATA, "collisions")
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():
@@ -205,17 +205,17 @@ def simulate(
         rows += [named | row for row in kept.to_dict("records")]
     printed = out.columns_of(
         rows,
-        Column("drain_time_s", "drained", how.time, "s"),
+        Column("drain_time_s", "drained", options.time, "s"),
         Column("lost", format=out.percent),
-        Column("convergence_time_s", "converged", how.time, "s"),
-        Column(WITHOUT_DATA, "without data", how.time, "s"),
+        Column("convergence_time_s", "converged", options.time, "s"),
+        Column(WITHOUT_DATA, "without data", options.time, "s"),
     )
     out.print_table(rows, output, printed)
     if alone and output.for_people:
         ends = "until the end of the run"
-        if not (how.no_recovery or refused):
+        if not (options.no_recovery or refused):
             ends = "until discovery was complete"
-        elif not how.no_recovery and len(refused) < len(found):
+        elif not options.no_recovery and len(refused) < len(found):
             ends = "until discovery was complete or, where it is not simulated, the end of the run"
         click.echo(f"\nData {ends}, median of the runs:\n")
         late = _user_data_rows(found)

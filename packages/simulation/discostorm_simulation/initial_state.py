@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from discostorm_simulation.run import Setup
 
 #: Value of `CellState.power` if all stations receive each other equally well.
-ALIKE = np.zeros((1, 1))
+EQUAL_POWERS = np.zeros((1, 1))
 #: Number of records: queue samples, logged transmissions, and initial pool of waiting frames.
 QUEUE_SAMPLES, LOG_ROWS, POOL_ENTRIES = 512, 4096, 4096
 
@@ -123,7 +123,7 @@ def _initial_channels(setup: Setup, cells: int) -> Records:
 
 
 def _initial_fractions(setup: Setup, seed: np.random.SeedSequence) -> NDArray[np.float64]:
-    """Draw the initial fraction of messages, at [process, row]."""
+    """Draw the fraction of a message that each process starts with, at [process, row]."""
     # Multiples of 2^-20 keep sums with whole numbers exact.
     part = np.random.default_rng(seed).integers(2**20, size=setup.shares.each.shape) / 2**20
     for burst in setup.user_data.bursts if setup.user_data else ():

@@ -9,7 +9,7 @@ from discostorm import _checks
 #: less noise of -101 + 15 dBm (IEEE Std 802.11-2020, 17.3.10.2 and Table 19-23).
 THRESHOLD = (22.0, 4.0)
 #: Maximum distance of a power from 0 dB [dB].
-MOST_DECIBELS = 300.0
+MAX_DECIBELS = 300.0
 #: Golden angle: the angle between successive seeds of a sunflower [rad].
 _GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
 

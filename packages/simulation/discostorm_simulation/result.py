@@ -62,10 +62,10 @@ def _channel_dicts(fleet: Fleet, wifi: Wifi) -> dict[str, Any]:
     return {"cells": own} if own else channel(wifi)
 
 
-def _side_by_side(values: list[Any]) -> Any:
-    """Return an array of the runs' values; of dictionaries, one with an array for each key."""
+def _stack_runs(values: list[Any]) -> Any:
+    """Stack the runs' values in an array; dictionaries become one dictionary of arrays."""
     if isinstance(values[0], dict):
-        return {key: _side_by_side([value[key] for value in values]) for key in values[0]}
+        return {key: _stack_runs([value[key] for value in values]) for key in values[0]}
     return np.array(values)
 
 
@@ -168,7 +168,7 @@ class Simulation:
         cls, fleet: Fleet, protocol: Protocol, wifi: Wifi, settings: dict[str, Any], runs: list[Run]
     ) -> Simulation:
         """Combine the results of several runs."""
-        found = {name: _side_by_side([getattr(run, name) for run in runs]) for name in RUN_ARRAYS}
+        found = {name: _stack_runs([getattr(run, name) for run in runs]) for name in RUN_ARRAYS}
         queues, transmissions = tuple(run.queues for run in runs), runs[0].transmissions
         return cls(
             fleet, protocol, wifi, settings, queues=queues, transmissions=transmissions, **found

@@ -18,8 +18,8 @@ from discostorm.wifi.channel import TICK
 from discostorm_simulation import cell_setup, middleware, state as st, user_data
 from discostorm_simulation.cell_setup import BurstSchedule, MessageCounts, to_ticks
 from discostorm_simulation.engine import run_to_end
-from discostorm_simulation.initial_state import ALIKE, build_cell
-from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD
+from discostorm_simulation.initial_state import EQUAL_POWERS, build_cell
+from discostorm_simulation.propagation import MAX_DECIBELS, THRESHOLD
 from discostorm_simulation.result import CAUSES, COUNTS, Run
 from discostorm_simulation.starts import Start, start_times
 from discostorm_simulation.state import Records
@@ -65,7 +65,7 @@ class Setup:
     kinds_of_cells: Records
     repairs: Records | None
     loss: NDArray[np.float64]
-    #: Received power at [sender, receiver], in any unit; `ALIKE` if all powers are equal.
+    #: Received power at [sender, receiver], in any unit; `EQUAL_POWERS` if all powers are equal.
     power: NDArray[np.float64]
     user_data: user_data.UserData | None
     #: Topic of each row of `CellState.delays`, and whether its frames end a sample.
@@ -194,8 +194,8 @@ def set_up(scenario: Scenario) -> Setup:
 def _power_factors(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64]:
     """Convert received powers from decibels to factors."""
     if decibels is None:
-        return ALIKE
-    power = np.asarray(_checks.numbers("power", decibels, -MOST_DECIBELS, MOST_DECIBELS))
+        return EQUAL_POWERS
+    power = np.asarray(_checks.numbers("power", decibels, -MAX_DECIBELS, MAX_DECIBELS))
     if power.shape != (hosts + 1, hosts + 1):
         rule = f"{(hosts + 1, hosts + 1)}, for the {hosts} hosts and the access point"
         raise ValueError(f"power must be of shape {rule}; got {power.shape}")
@@ -203,7 +203,7 @@ def _power_factors(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64
 
 
 def _completed_at(setup: Setup, cell: st.CellState, missing: st.Ints) -> st.Ints:
-    """Return when each pair completed discovery, by the server for processes that learn nothing."""
+    """Return when each pair completed discovery; of pairs without data, when the server did."""
     host, mute = setup.hosts.host_of, cell.processes["mute"].any()
     learning = setup.hosts.first[host] if mute else np.arange(host.size)
     done = cell.pairs["completed_at"][learning, : host.size]

@@ -15,18 +15,18 @@ from discostorm.messages import Protocol
 from discostorm.notation import payload_symbol
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Wifi, uplink_airtime
-from discostorm_book.figures.drawing import Look, book_figure, name_rows_without_ticks, write_text
+from discostorm_book.figures.drawing import Style, book_figure, name_rows_without_ticks, write_text
 
 #: The row with all parameters at their best or worst ends, and the number of rows of a panel.
 _TOGETHER, _ROWS = "all together", 6
-_KINDS = {"O": "overhead", "R": "rate", "H": "headers", "s": "payload"}
+_QUANTITIES = {"O": "overhead", "R": "rate", "H": "headers", "s": "payload"}
 _LINKS = {"uni": "unicast", "multi": "multicast"}
 
 
 def _parameter_name(symbol: str) -> str:
     """Return the name of a parameter, such as "unicast overhead" for ``O_uni``."""
     kind, _, of = symbol.partition("_")
-    return f"{_LINKS.get(of, of)} {_KINDS[kind]}"
+    return f"{_LINKS.get(of, of)} {_QUANTITIES[kind]}"
 
 
 def tornado_data(protocols: Sequence[Protocol], processes: int, endpoints: int) -> pd.DataFrame:
@@ -53,7 +53,7 @@ def tornado(protocols: Sequence[Protocol], processes: int, endpoints: int) -> Fi
         panels = figure.subplots(len(protocols), 1, sharex=True)
         for axis, protocol in zip(np.atleast_1d(panels), protocols, strict=True):
             rows = data[data["protocol"] == protocol.name].head(_ROWS)
-            _bars(axis, rows, color_of(protocol))
+            _draw_range_bars(axis, rows, color_of(protocol))
             paper = rows["paper_hosts"].iloc[0]
             axis.set_title(f"{protocol.name}: {paper:.2f} robots by the paper's values", loc="left")
         axis.set_xlabel("robots at which the channel is full")
@@ -61,7 +61,7 @@ def tornado(protocols: Sequence[Protocol], processes: int, endpoints: int) -> Fi
     return figure
 
 
-def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
+def _draw_range_bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
     """Draw one bar per row from the fewest to the most hosts, with both numbers at its ends."""
     ys = range(len(rows) - 1, -1, -1)
     for y, row in zip(ys, rows.to_dict("records"), strict=True):
@@ -95,7 +95,7 @@ def airtime_by_length(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
     """Draw the airtime of a unicast frame against its length, with the frames of the protocols."""
     data = airtime_by_length_data(protocols, wifi)
     curves, dots = data[data["message"] == ""], data[data["message"] != ""]
-    looks: dict[str, Look] = {
+    looks: dict[str, Style] = {
         "paper": {"linestyle": "--", "color": "0.45"},
         "standard": {"color": "black", "drawstyle": "steps-post"},
     }

@@ -10,7 +10,7 @@ from matplotlib.patches import Rectangle
 
 from discostorm.figures import COLORS
 from discostorm.palette import light_colors
-from discostorm_book.figures.drawing import Look, book_figure, legend_below, name_cells, write_text
+from discostorm_book.figures.drawing import Style, book_figure, legend_below, name_cells, write_text
 
 _CHARCOAL = light_colors("neutral")["charcoal"]
 #: Causes of loss in the sweep ``queues``, and their colors.
@@ -37,7 +37,7 @@ def first_transmissions(events: pd.DataFrame, end_s: float = 6e-3) -> Figure:
             for outcome, (state, hatch) in looks.items():
                 sent = own[(own["outcome"] == outcome) & (own["start_s"] < end_s)]
                 spans = 1e3 * sent[["start_s"]].assign(width=sent["end_s"] - sent["start_s"])
-                look: Look = {"facecolors": light_colors("state")[state], "hatch": hatch}
+                look: Style = {"facecolors": light_colors("state")[state], "hatch": hatch}
                 look |= {"edgecolor": "white", "linewidth": 0.2, "zorder": 2}
                 label = outcome if lane == 0 else None
                 axis.broken_barh(spans.to_numpy(), (lane - 0.32, 0.64), label=label, **look)
@@ -66,7 +66,7 @@ def queues_and_discovery(events: pd.DataFrame, times: Sequence[float] = (6e-3, 1
             robot = name != "access point"
             color = COLORS["DDS"] if robot else _CHARCOAL
             label = name.replace("host", "robot") if robot else None
-            look: Look = {"where": "post", "color": color, "label": label}
+            look: Style = {"where": "post", "color": color, "label": label}
             axis.step(after["end_s"] * 1e3, after[waiting], line, **look)
             if not robot:
                 peak = after.iloc[after[waiting].argmax()]
@@ -92,7 +92,7 @@ def _draw_knowledge(axis: Axes, share: pd.DataFrame) -> None:
         if reader != writer:
             part = int(share.to_numpy()[reader, writer])
             text = f"{part}"
-            look: Look = {"color": COLORS["DDS"], "alpha": 0.35, "lw": 0}
+            look: Style = {"color": COLORS["DDS"], "alpha": 0.35, "lw": 0}
             axis.add_patch(Rectangle((writer, reader + 1), 1, -part / 100, **look))
         axis.text(writer + 0.5, reader + 0.5, text, ha="center", va="center", fontsize=9)
     axis.set(xlim=(0, count), ylim=(count, 0), xlabel="of robot", ylabel="robot knows [%]")

@@ -9,14 +9,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from discostorm import measured
 from discostorm.fleet import Fleet
 from discostorm.lookup import with_timers_of
 from discostorm.palette import light_colors
-from discostorm.protocols import MEASURED, PROTOCOLS
+from discostorm.protocols import MEASURED, PROTOCOLS, measured_tables
 from discostorm.ros_releases import shipped_table
 from discostorm_book.figures import drawing, servers
-from discostorm_book.figures.drawing import Look, book_figure, write_text
+from discostorm_book.figures.drawing import Style, book_figure, write_text
 from discostorm_planner import Plan
 from discostorm_planner.discovery_time import RUNS
 from discostorm_planner.simulation_jobs import MAX_IDLE_PERIODS, SEED, TARGET_S
@@ -25,14 +24,14 @@ from discostorm_simulation import NoRecovery, simulate
 #: Fast DDS has the release of this distribution.
 _PRODUCT, _ROS = "Fast DDS", "jazzy"
 #: Position of a discovery that did not end [s].
-NEVER = 500.0
-_LETTERS = 40  # of a name in a line
-_CHANGE = light_colors("change")
+NEVER_AT = 500.0
+_MAX_LINE_LETTERS = 40  # of a name in a line
+_CHANGE_COLORS = light_colors("change")
 #: Colors and names of a fleet as it is, and of changes after which its startup works or not.
 _MEANINGS = {
-    "today": _CHANGE["none"],
-    f"works: nine of ten runs end within {TARGET_S:g} s": _CHANGE["fits"],
-    "does not": _CHANGE["overloaded"],
+    "today": _CHANGE_COLORS["none"],
+    f"works: nine of ten runs end within {TARGET_S:g} s": _CHANGE_COLORS["fits"],
+    "does not": _CHANGE_COLORS["overloaded"],
 }
 
 
@@ -57,15 +56,15 @@ def times_by_change_data(plan: Plan) -> pd.DataFrame:
 def times_by_change(plan: Plan, title: str) -> Figure:
     """Draw the discovery time today and after each change as dots, the slowest on top."""
     data = times_by_change_data(plan)
-    names = ["\n".join(wrap(name, _LETTERS)) for name in data["change"]]
+    names = ["\n".join(wrap(name, _MAX_LINE_LETTERS)) for name in data["change"]]
     heights = np.array([1 + 0.5 * name.count("\n") for name in names])
     places = heights.cumsum() - heights / 2
     with book_figure(1.2 + 0.26 * places[-1], title) as figure:
         axis = figure.subplots()
-        looks: list[Look] = [{"color": _MEANINGS[is_], "marker": "o"} for is_ in data["is"]]
+        looks: list[Style] = [{"color": _MEANINGS[is_], "marker": "o"} for is_ in data["is"]]
         _draw_times(axis, places, data["median [s]"], data["nine of ten [s]"], looks)
         axis.set_yticks(places, names)
-        look: Look = {"ls": "", "marker": "o"}
+        look: Style = {"ls": "", "marker": "o"}
         marks = [Line2D([], [], **look, color=c, label=name) for name, c in _MEANINGS.items()]
         drawing.legend_below(figure, marks, 3, columnspacing=1)
     return figure
@@ -73,7 +72,7 @@ def times_by_change(plan: Plan, title: str) -> Figure:
 
 def times_by_configuration_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
     """Return discovery times by configuration [s], and what fails with its server."""
-    shown = {*servers.replaced_products().values(), *measured.configurations()}
+    shown = {*servers.replaced_products().values(), *measured_tables.configurations()}
     own, rows = PROTOCOLS[shipped_table(_PRODUCT, _ROS)], []
     for name in (name for name in PROTOCOLS if name in shown):
         row = {"configuration": name, "what else fails": servers.consequence_of(name)}
@@ -111,21 +110,21 @@ def times_by_configuration(data: pd.DataFrame, fleets: Iterable[str]) -> Figure:
 
 
 def _draw_times(
-    axis: Axes, positions: Iterable[float], medians: pd.Series, late: pd.Series, looks: list[Look]
+    axis: Axes, places: Iterable[float], medians: pd.Series, late: pd.Series, looks: list[Style]
 ) -> None:
     """Draw a dot at each median, and a line to the time within which nine of ten runs end."""
-    rows = list(positions)
+    rows = list(places)
     for y, median, nine, look in zip(rows, medians, late, looks, strict=True):
-        ends = np.minimum([median, nine], NEVER)
+        ends = np.minimum([median, nine], NEVER_AT)
         axis.plot(ends, [y, y], color=look["color"], lw=2, alpha=0.5)
         axis.plot(ends[0], y, ls="", ms=7, **look)
-        if median < NEVER:
+        if median < NEVER_AT:
             digits = f"{float(f'{median:.2g}'):g}"
-            left = nine >= NEVER  # its line leads to the right
+            left = nine >= NEVER_AT  # its line leads to the right
             across, side = (-7, "right") if left else (7, "left")
             write_text(axis, digits, (ends[1 - left], y), (across, 0), va="center", ha=side)
-    axis.set(xscale="log", xlim=(0.02, 2 * NEVER), xlabel="discovery time [s]")
-    axis.set_xticks([0.1, 1, 10, 60, NEVER], ["0.1", "1", "10", "60", "never"])
+    axis.set(xscale="log", xlim=(0.02, 2 * NEVER_AT), xlabel="discovery time [s]")
+    axis.set_xticks([0.1, 1, 10, 60, NEVER_AT], ["0.1", "1", "10", "60", "never"])
     axis.set_xticks([], minor=True)
     axis.set_ylim(rows[-1] + 0.8, rows[0] - 0.8)
     axis.spines["left"].set_visible(False)

@@ -13,7 +13,7 @@ from matplotlib.patches import Patch, Rectangle
 from discostorm.figures import COLORS
 from discostorm.palette import light_colors
 from discostorm_book.figures import drawing
-from discostorm_book.figures.drawing import Look, book_figure, write_text
+from discostorm_book.figures.drawing import Style, book_figure, write_text
 
 
 def _mix_with_white(color: str, share: float) -> str:
@@ -27,8 +27,8 @@ _TIME_COLORS = LinearSegmentedColormap.from_list(
     "seconds", [_mix_with_white(_BLUE, 0.1), _mix_with_white(_BLUE, 0.35), _BLUE]
 )
 _TIME_NORM = LogNorm(0.1, 120)
-_NO_RUN = light_colors("state")["bad"]
-_SOME_RUNS = _mix_with_white(_NO_RUN, 0.2)
+_NO_RUN_COLOR = light_colors("state")["bad"]
+_SOME_RUNS_COLOR = _mix_with_white(_NO_RUN_COLOR, 0.2)
 
 
 def times_by_robots(
@@ -50,8 +50,8 @@ def times_by_robots(
             title = f"{loss:.0%} frame errors" if loss else "no frame errors"
             axis.set_title(title, loc="left", fontsize=9.5)
         panels[-1].set_xlabel("robots")
-        shades: Look = {"median [s]": _TIME_COLORS(_TIME_NORM(10))}
-        shades |= {"runs of ten that finished": _SOME_RUNS, "no run finished": _NO_RUN}
+        shades: Style = {"median [s]": _TIME_COLORS(_TIME_NORM(10))}
+        shades |= {"runs of ten that finished": _SOME_RUNS_COLOR, "no run finished": _NO_RUN_COLOR}
         patches = [Patch(facecolor=shade, label=label) for label, shade in shades.items()]
         drawing.legend_below(figure, patches, 3)
     return figure
@@ -60,20 +60,20 @@ def times_by_robots(
 def _draw_cell(axis: Axes, column: int, line: int, row: pd.Series) -> None:
     """Draw the result of one setting."""
     seconds, converged = row["convergence_time_s"], int(row["converged"])
-    shade, text, color = _NO_RUN, "never", "white"
+    shade, text, color = _NO_RUN_COLOR, "never", "white"
     if np.isfinite(seconds):
         shade, text = _TIME_COLORS(_TIME_NORM(seconds)), f"{seconds:.{int(seconds < 9.95)}f}"
         text = "<0.1" if seconds < 0.095 else text
         color = "white" if _TIME_NORM(seconds) > 0.8 else "black"
     elif converged:
-        shade, text, color = _SOME_RUNS, f"{converged}/10", "black"
+        shade, text, color = _SOME_RUNS_COLOR, f"{converged}/10", "black"
     axis.add_patch(Rectangle((column, line), 1, 1, facecolor=shade, edgecolor="white", lw=1.5))
-    look: Look = {"color": color, "fontsize": 7.5 if text == "never" else 8.5}
+    look: Style = {"color": color, "fontsize": 7.5 if text == "never" else 8.5}
     axis.text(column + 0.5, line + 0.52, text, ha="center", va="center", **look)
 
 
 #: Position of runs that did not converge: above two minutes, in powers of ten.
-NEVER = 2.4
+NEVER_AT = 2.4
 
 
 def time_quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
@@ -85,16 +85,16 @@ def time_quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
         panels = figure.subplots(1, len(names), sharey=True)
         for axis, name in zip(panels, names, strict=True):
             own = rows[rows["protocol"] == name].sort_values("hosts")
-            low, middle, high = np.minimum(np.log10(own[columns].to_numpy().T), NEVER)
+            low, middle, high = np.minimum(np.log10(own[columns].to_numpy().T), NEVER_AT)
             axis.vlines(own["hosts"], low, high, color=COLORS[name], lw=8, alpha=0.35)
             axis.plot(own["hosts"], middle, "_", color=COLORS[name], ms=7, mew=2.5)
-            axis.axhline(limit, color=_NO_RUN, lw=1)
-            axis.set(xlabel="robots", xlim=(0.6, 25.4), ylim=(-1.7, NEVER + 0.25))
+            axis.axhline(limit, color=_NO_RUN_COLOR, lw=1)
+            axis.set(xlabel="robots", xlim=(0.6, 25.4), ylim=(-1.7, NEVER_AT + 0.25))
             axis.set_xticks(range(4, 25, 4))
             axis.set_title(name, loc="left", fontsize=9.5)
         write_text(panels[-1], "two minutes", (0.6, limit), (3, -4), va="top", fontsize=10)
         ticks = [-1, 0, 1, 2]
-        panels[0].set_yticks([*ticks, NEVER], [*(f"{10.0**tick:g}" for tick in ticks), "never"])
+        panels[0].set_yticks([*ticks, NEVER_AT], [*(f"{10.0**tick:g}" for tick in ticks), "never"])
         panels[0].set_ylabel("time until converged [s]")
     return figure
 
@@ -112,7 +112,7 @@ def times_by_window(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
                 span = rows[f"{time}_low"], rows[f"{time}_high"]
                 axis.fill_between(rows["window_s"], *span, color=color, alpha=0.25, lw=0)
                 star = rule[(rule["protocol"] == protocol) & (rule["hosts"] == hosts)]
-                look: Look = {"color": color, "ms": 11, "mec": "black", "mew": 0.6}
+                look: Style = {"color": color, "ms": 11, "mec": "black", "mew": 0.6}
                 axis.plot(star["rule_s"], star[time], "*", **look)
                 at = (0.31, rows[time].iloc[0])
                 look = {"ha": "right", "va": "center", "color": COLORS[protocol]}  # tints are pale
@@ -140,7 +140,7 @@ def effects_of_changes(shown: pd.DataFrame) -> Figure:
             for place, value, *ends in zip(places + shift, values, low, high, strict=True):
                 # The number stands near its dot, not at the far end of a long range.
                 right = ends[1] - value <= value - ends[0]
-                look: Look = {"va": "center", "ha": "left" if right else "right", "color": color}
+                look: Style = {"va": "center", "ha": "left" if right else "right", "color": color}
                 text = f"{value:.0f}{f' {protocol}' if place < 0.5 else ''}"
                 write_text(axis, text, (ends[right], place), (6 if right else -6, 0), **look)
         axis.set(yticks=places, yticklabels=list(shown.index), xlabel="time until converged [s]")

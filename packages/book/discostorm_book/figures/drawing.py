@@ -16,9 +16,9 @@ from discostorm.figures import WIDTH, headline, style
 #: Numbers as they are, without powers of ten.
 PLAIN_NUMBERS = FuncFormatter(lambda value, _: f"{value:g}")
 #: Options of Matplotlib.
-Look = dict[str, Any]
+Style = dict[str, Any]
 #: The look of a reference line, such as a lease.
-LIMIT_LINE: Look = {"color": "gray", "linewidth": 0.8}
+LIMIT_LINE: Style = {"color": "gray", "linewidth": 0.8}
 
 
 @contextmanager

@@ -7,12 +7,12 @@ from matplotlib.lines import Line2D
 
 from discostorm.data import read_data
 from discostorm.figures import COLORS
-from discostorm_book.figures.drawing import Look, book_figure, legend_below, set_ticks, write_text
+from discostorm_book.figures.drawing import Style, book_figure, legend_below, set_ticks, write_text
 
 #: Position of a time that was not reached [s].
-NEVER = 60.0
+NEVER_AT = 60.0
 #: Factor between the measured and the simulated time that counts as agreement.
-FACTOR = 1.3
+MARGIN = 1.3
 _MARKERS = dict(zip(("2.6.12", "2.9.1", "2.14.6", "3.6.2", "0.10.5"), "os^DX", strict=True))
 
 
@@ -32,14 +32,14 @@ def agreement(points: pd.DataFrame, title: str) -> Figure:
         axis = figure.subplots()
         ends = np.array([0.03, 70])
         axis.plot(ends, ends, color="gray", lw=0.8)
-        axis.fill_between(ends, ends / FACTOR, ends * FACTOR, color="gray", alpha=0.2, lw=0)
-        axis.axhline(NEVER, color="gray", ls=":", lw=0.8)
+        axis.fill_between(ends, ends / MARGIN, ends * MARGIN, color="gray", alpha=0.2, lw=0)
+        axis.axhline(NEVER_AT, color="gray", ls=":", lw=0.8)
         handles = {}
-        for _, point in points.replace(np.inf, NEVER).iterrows():
+        for _, point in points.replace(np.inf, NEVER_AT).iterrows():
             name, version = str(point["release"]).split("-")
             color = COLORS[str(point["protocol"])]
-            look: Look = {"color": color, "marker": _MARKERS[version], "ms": 6, "ls": "none"}
-            filled: Look = {"markerfacecolor": "none" if point["ampdu"] else color}
+            look: Style = {"color": color, "marker": _MARKERS[version], "ms": 6, "ls": "none"}
+            filled: Style = {"markerfacecolor": "none" if point["ampdu"] else color}
             at = (float(point["simulated_t100_s"]), float(point["t100_s"]))
             span = [float(point[f"t100_{end}_s"]) for end in ("min", "max")]
             axis.plot([at[0]] * 2, span, color=color, lw=0.8)
@@ -49,7 +49,7 @@ def agreement(points: pd.DataFrame, title: str) -> Figure:
         axis.set(xscale="log", yscale="log", xlim=ends, ylim=(0.03, 90))
         axis.set(xlabel="simulated [s]", ylabel="measured [s]")
         ticks = (0.1, 0.3, 1, 3, 10, 30)
-        axis.set_yticks([*ticks, NEVER], [*map(str, ticks), "never"])
+        axis.set_yticks([*ticks, NEVER_AT], [*map(str, ticks), "never"])
         axis.set_yticks([], minor=True)
         set_ticks(axis.xaxis, ticks)
         write_text(axis, "equal", (27, 27), (4, -10), color="gray")

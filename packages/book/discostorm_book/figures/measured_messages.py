@@ -12,11 +12,11 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator, PercentFormatter
 from discostorm.figures import COLORS
 from discostorm_book import comparison, lab_counts, products
 from discostorm_book.figures import drawing
-from discostorm_book.figures.drawing import Look, book_figure, write_text
+from discostorm_book.figures.drawing import Style, book_figure, write_text
 
-_PAPER = "0.4"
+_PAPER_GRAY = "0.4"
 #: The shade of each purpose of messages in a bar; messages without an equation are hatched.
-_SHADES = {"presence": 1.0, "endpoints": 0.6, "control": 0.3, products.NO_EQUATION: 0.0}
+_PURPOSE_SHADES = {"presence": 1.0, "endpoints": 0.6, "control": 0.3, products.NO_EQUATION: 0.0}
 #: Height of a row, and of the margins around the rows of a panel [inch].
 _ROW, _AROUND = 0.23, 0.9
 
@@ -33,11 +33,11 @@ def startup_messages(name: str) -> Figure:
         whats = {"": "messages", "_bytes": "payload [B]"}
         for axis, (end, what) in zip(panels, whats.items(), strict=True):
             middle, low, high = (rows[f"{side}{end}"] for side in ("measured", "least", "most"))
-            look: Look = {"fmt": "o", "ms": 8, "color": COLORS[name], "label": "measured"}
+            look: Style = {"fmt": "o", "ms": 8, "color": COLORS[name], "label": "measured"}
             axis.errorbar(middle, rows.index, xerr=(middle - low, high - middle), **look)
             look = {"color": "black", "ms": 5, "zorder": 4, "label": "measured model"}
             axis.plot(rows[f"expected{end}"], rows.index, "x", **look)
-            look = {"mfc": "none", "ms": 8, "zorder": 3, "color": _PAPER, "label": "paper"}
+            look = {"mfc": "none", "ms": 8, "zorder": 3, "color": _PAPER_GRAY, "label": "paper"}
             axis.plot(rows[f"paper{end}"], rows.index, "D", **look)
             axis.set(xscale="log", xlabel=what)
             axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}"))
@@ -59,7 +59,7 @@ def message_counts() -> Figure:
     title = f"One count of {len(data)} holds: {only['message']} of {only['product']}"
     with book_figure(_AROUND + 0.2 + 0.2 * (len(ys) + len(heads)), title) as figure:
         sent, size = figure.subplots(1, 2, sharey=True)
-        sent.axvline(1, color=_PAPER, lw=1)
+        sent.axvline(1, color=_PAPER_GRAY, lw=1)
         for y, row in zip(ys, data.to_dict("records"), strict=True):
             color = COLORS[row["product"]]
             for axis, end in ((sent, ""), (size, "_B")):
@@ -67,7 +67,7 @@ def message_counts() -> Figure:
                 axis.plot(row[f"median{end}"], y, "o", color=color, ms=6)
             stated = [row["paper_low_B"], row["paper_high_B"]]
             size.plot(stated, [y] * 2, color="0.8", lw=9, solid_capstyle="butt", zorder=1)
-            size.plot(row["paper_B"], y, "|", color=_PAPER, ms=9, mew=1.5, zorder=1.5)
+            size.plot(row["paper_B"], y, "|", color=_PAPER_GRAY, ms=9, mew=1.5, zorder=1.5)
         sent.set_yticks(ys, data["message"])
         sent.set_yticks(list(heads), heads.values(), minor=True)
         for axis in (sent, size):
@@ -97,7 +97,7 @@ def startup_airtime(swarms: Mapping[str, tuple[int, int, int]]) -> Figure:
         for axis, (swarm, sizes) in zip(panels, swarms.items(), strict=True):
             data = products.airtime_by_purpose(*sizes)
             longest = max(longest, 1.12 * data.sum(axis=1).max())
-            _stack(axis, data)
+            _draw_stacked_bars(axis, data)
             axis.set_title(f"{swarm}: {_more_or_less_than_paper(data)}", loc="left", size=9)
             axis.axvline(1, color="black", lw=1)
             axis.set(xlim=(0, longest), ylim=(len(data) - 0.5, -0.95))
@@ -105,22 +105,22 @@ def startup_airtime(swarms: Mapping[str, tuple[int, int, int]]) -> Figure:
         panels[-1].set_xlabel("airtime of startup [s]")
         shades = [
             Patch(ec="0.4", lw=0.6, label=purpose, **_bar_style(str(1 - shade * 0.75), shade > 0))
-            for purpose, shade in _SHADES.items()
+            for purpose, shade in _PURPOSE_SHADES.items()
         ]
         drawing.legend_below(figure, shades, 4)
     return figure
 
 
-def _bar_style(color: str, filled: bool) -> Look:
+def _bar_style(color: str, filled: bool) -> Style:
     return {"facecolor": color} if filled else {"facecolor": "white", "hatch": "/////"}
 
 
-def _stack(axis: Axes, data: pd.DataFrame) -> None:
+def _draw_stacked_bars(axis: Axes, data: pd.DataFrame) -> None:
     """Draw the airtime of each table as a bar of its purposes, with the sum at its end."""
     left = np.zeros(len(data))
-    for purpose, shade in _SHADES.items():
+    for purpose, shade in _PURPOSE_SHADES.items():
         for y, (name, length) in enumerate(data[purpose].items()):
-            look: Look = {"left": left[y], "height": 0.68, "linewidth": 0.6}
+            look: Style = {"left": left[y], "height": 0.68, "linewidth": 0.6}
             look |= _bar_style(COLORS[str(name)], shade > 0) | {"alpha": shade or None}
             if length:
                 axis.barh(y, length, edgecolor=COLORS[str(name)], **look)
@@ -161,7 +161,7 @@ def saturation_points() -> Figure:
                 color = COLORS[str(paper)]
                 axis.axvline(hosts, color=color, lw=1.2, ls="--", zorder=0)
                 across = -5 if side == "right" else 5
-                look: Look = {"ha": side, "va": "center", "color": color, "fontsize": 8}
+                look: Style = {"ha": side, "va": "center", "color": color, "fontsize": 8}
                 write_text(axis, f"{paper} {hosts:.1f}", (hosts, -0.85), (across, 0), **look)
             for y, (model, hosts) in enumerate(models[column].items()):
                 axis.plot(hosts, y, "o", color=COLORS[str(model)], ms=7)

@@ -16,10 +16,10 @@ from discostorm.model import breakdown
 from discostorm.protocols import PROTOCOLS
 from discostorm_book.enumeration import EVERYONE, Process, SentMessage, enumerate_messages
 from discostorm_book.figures import message_cost_charts
-from discostorm_book.figures.drawing import Look, book_figure, legend_below, name_cells
+from discostorm_book.figures.drawing import Style, book_figure, legend_below, name_cells
 
 #: Minimum airtime of a block that has room for its name [s].
-_NAMED = 0.03
+_MIN_NAMED_AIRTIME = 0.03
 
 
 def process_name(process: Process | str) -> str:
@@ -40,7 +40,7 @@ def every_message_data(
             "tells_of": str(sent.about) or "itself",
         }
         for protocol in protocols
-        for sent in _uplink(protocol, hosts)
+        for sent in _uplink_messages(protocol, hosts)
     )
 
 
@@ -48,7 +48,7 @@ def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]])
     """Draw each message of a small swarm as a square: rows of senders, columns of receivers."""
     with book_figure(3.7, "Nearly every message goes to one process") as figure:
         for axis, protocol in zip(figure.subplots(1, len(protocols)), protocols, strict=True):
-            sent = _uplink(protocol, hosts)
+            sent = _uplink_messages(protocol, hosts)
             _draw_squares(axis, sent)
             axis.set_title(f"{protocol.name}: {len(sent)} messages")
         handles = [handle for axis in figure.axes for handle in axis.get_legend_handles_labels()[0]]
@@ -56,7 +56,7 @@ def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]])
     return figure
 
 
-def _uplink(protocol: Protocol, hosts: Sequence[Sequence[int]]) -> list[SentMessage]:
+def _uplink_messages(protocol: Protocol, hosts: Sequence[Sequence[int]]) -> list[SentMessage]:
     return [sent for sent in enumerate_messages(protocol.name, hosts) if sent.hop == "up"]
 
 
@@ -119,7 +119,7 @@ def frame_parts() -> Figure:
         axis = figure.subplots()
         left, handles = np.zeros(len(data)), []
         for part, share in zip(data, (1, 0.7, 0.5, 0.32, 0.16), strict=True):
-            look: Look = {"left": left, "color": colors, "edgecolor": "white", "lw": 0.6}
+            look: Style = {"left": left, "color": colors, "edgecolor": "white", "lw": 0.6}
             axis.barh(data.index, data[part], alpha=share, **look)
             handles.append(Patch(color="0.2", label=str(part).removesuffix(" [B]"), alpha=share))
             left = left + data[part].to_numpy()
@@ -157,7 +157,7 @@ def airtime_blocks(hosts: int, processes: int, endpoints: int) -> Figure:
                 axis.bar(left, airtime, part, top, align="edge", color=color, alpha=0.35)
                 axis.bar(left + part, airtime, 0.8 - part, top, align="edge", color=color)
                 axis.bar(left, airtime, 0.8, top, align="edge", fc="none", ec="white", lw=1)
-                if airtime > _NAMED:
+                if airtime > _MIN_NAMED_AIRTIME:
                     text = f"{row['message']} {row['direction']}: {airtime:.3f} s"
                     axis.text(left + 0.02, top + airtime / 2, text, va="center", fontsize=8)
                 top += airtime

@@ -17,11 +17,11 @@ from discostorm.protocols import DDS, PROTOCOLS
 from discostorm_book.figures.drawing import book_figure, name_rows_without_ticks, write_text
 
 #: Fleets of the first figure.
-_FLEETS = (7, 100)
+_FLEET_SIZES = (7, 100)
 
 
 @cache
-def _runs() -> pd.DataFrame:
+def _all_runs() -> pd.DataFrame:
     """Return all simulated runs of the hybrid discovery, a row each."""
     data = pd.DataFrame(read_data("simulated/hybrid.csv", "discostorm_book"))
     return data.astype(dict.fromkeys(data.columns.drop("scenario"), float))
@@ -29,9 +29,9 @@ def _runs() -> pd.DataFrame:
 
 def runs_of_scenario(scenario: str) -> pd.DataFrame:
     """Return the runs of a scenario; "50 die" are all runs in which 50 crash during startup."""
-    scenarios = _runs()["scenario"]
+    scenarios = _all_runs()["scenario"]
     crashes = scenarios.str.startswith(scenario) & (scenario == "50 die")
-    return _runs()[crashes | (scenarios == scenario)]
+    return _all_runs()[crashes | (scenarios == scenario)]
 
 
 def _airtime_of_steps(hosts: int, processes: int = 2, endpoints: int = 10) -> dict[str, float]:
@@ -59,7 +59,7 @@ def _airtime_of_steps(hosts: int, processes: int = 2, endpoints: int = 10) -> di
 
 def airtime_steps_data() -> pd.DataFrame:
     """Return the airtime of the first second [s]: one row per step, one column per fleet."""
-    columns = {f"{hosts} hosts [s]": _airtime_of_steps(hosts) for hosts in _FLEETS}
+    columns = {f"{hosts} hosts [s]": _airtime_of_steps(hosts) for hosts in _FLEET_SIZES}
     return pd.DataFrame(columns).rename_axis("step")
 
 

@@ -12,26 +12,25 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import ArrayLike, NDArray
 
-from discostorm import measured
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.model import utilization
 from discostorm.palette import light_colors
-from discostorm.protocols import PROTOCOLS
+from discostorm.protocols import PROTOCOLS, measured_tables
 from discostorm.robots import shared_endpoints
 from discostorm_book.figures import drawing
-from discostorm_book.figures.drawing import Look, book_figure, write_text
+from discostorm_book.figures.drawing import Style, book_figure, write_text
 from discostorm_book.lab_counts import failure_summary, failure_times
 
 #: Cases of matching topic names: endpoints that always match, and matching share of the others.
 TOPIC_NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matching": (0, 1.0)}
 _HOST_COUNTS = np.arange(1.0, 5001)
 _SERIES = light_colors("series")
-_HUB = "Zenoh router per host, one hub"
-_ROWS = read_data("vendors/short_names.csv", "discostorm_book")
+_HUB_CONFIGURATION = "Zenoh router per host, one hub"
+_NAME_ROWS = read_data("vendors/short_names.csv", "discostorm_book")
 #: Names of configurations for people, and shorter ones.
 FULL_NAMES, _SHORT_NAMES = (
-    {row["configuration"]: row[c] for row in _ROWS} for c in ("name", "short")
+    {row["configuration"]: row[c] for row in _NAME_ROWS} for c in ("name", "short")
 )
 #: Consequences of a failed server or router: color and mark.
 CONSEQUENCES = {
@@ -57,7 +56,7 @@ def _failures_of(name: str, event: str) -> pd.DataFrame:
 def replaced_products() -> dict[str, str]:
     """Return the product as shipped that each configuration replaces."""
     replaced = _configuration_risks("instead_of")
-    return {name: replaced[name] for name in measured.configurations()}
+    return {name: replaced[name] for name in measured_tables.configurations()}
 
 
 def small_robots(hosts: ArrayLike, names: str = "ROS 2") -> Fleet:
@@ -96,7 +95,7 @@ def consequence_of(name: str) -> str:
     return "one robot" if ("orphans and survivors", "settled") in never else "nothing else"
 
 
-def consequence_style(consequence: str) -> Look:
+def consequence_style(consequence: str) -> Style:
     """Return color and mark of a consequence of a failure."""
     color, mark = CONSEQUENCES[consequence]
     return {"color": _SERIES[color], "marker": mark, "mew": 0}
@@ -167,18 +166,18 @@ def contact_after_failures_data() -> pd.DataFrame:
     return pd.DataFrame(
         lane
         for failure in read_data("measured/failures_shown.csv", "discostorm_book")
-        for lane in _lanes(failure["configuration"], failure["event"], failure["title"])
+        for lane in _failure_lanes(failure["configuration"], failure["event"], failure["title"])
     )
 
 
-def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
+def _failure_lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
     """Yield the lanes of a failure: robots that knew each other, robot 1, and a late joiner."""
     rows = _failures_of(name, event)
     since = dict(zip(rows["phase"], rows["since_s"], strict=True))
     back, joins = since["return"], since["newcomer"]
     end = (rows["since_s"] + rows["watched_s"]).max()
 
-    def lane(who: str, begin: float, connected: float) -> Look:
+    def lane(who: str, begin: float, connected: float) -> Style:
         row = {"configuration": name, "event": event, "title": title, "who": who, "from_s": begin}
         return row | {"connected_from_s": connected, "server_back_s": back, "until_s": end}
 
@@ -191,7 +190,7 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
         ("orphans and survivors", "orphans", "robot 1 and the others"),
     ):
         # If the router that links all robots fails, the other robots lose each other as well.
-        if who in set(rows["who"]) and not (name == _HUB and again == "orphans"):
+        if who in set(rows["who"]) and not (name == _HUB_CONFIGURATION and again == "orphans"):
             lost = np.isinf(failure_times(name, event, "death", who, "settled")).all()
             yield lane(label, 0.0, time_rediscovered(again) if lost else 0.0)
     found = joins + float(np.median(failure_times(name, event, "newcomer", "newcomer", "found")))
@@ -203,7 +202,7 @@ def contact_after_failures() -> Figure:
     with book_figure(4.5, "Only a router that links all robots silences the fleet") as figure:
         axis = figure.subplots()
         y, labels = 0.0, {}
-        back_look: Look = {"color": "black", "lw": 1.6}
+        back_look: Style = {"color": "black", "lw": 1.6}
         for title, rows in contact_after_failures_data().groupby("title", sort=False):
             y += 1.15
             axis.text(0, y, str(title), fontsize=9, fontweight="bold", va="center")
@@ -229,7 +228,7 @@ def _draw_lane(axis: Axes, y: float, row: Mapping[Any, Any]) -> None:
     """Draw when two processes receive from each other, and when they do not."""
     begin, connected, end = row["from_s"], row["connected_from_s"], row["until_s"]
     if connected > begin:
-        look: Look = {"edgecolor": _SERIES["vermilion"], "lw": 0.9, "hatch": "////"}
+        look: Style = {"edgecolor": _SERIES["vermilion"], "lw": 0.9, "hatch": "////"}
         axis.barh(y, connected - begin, 0.55, begin, color="white", **look)
     axis.barh(y, end - connected, 0.55, connected, color=_SERIES["blue"])
     if (late := connected - row["server_back_s"]) > 0:
@@ -253,7 +252,7 @@ def failure_detection() -> Figure:
     """Draw how long the others keep a robot that has failed on their lists, as bars."""
     looks = {"robot killed": (-0.19, "orange", "killed")}
     looks |= {"robot cut off": (0.19, "sky", "out of reach")}
-    lease: Look = {"color": "black", "lw": 1.6}
+    lease: Style = {"color": "black", "lw": 1.6}
     data = failure_detection_data()
     names = list(dict.fromkeys(data["configuration"]))
     with book_figure(2.6, "A failed robot stays listed for about one lease") as figure:

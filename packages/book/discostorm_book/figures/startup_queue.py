@@ -9,22 +9,22 @@ import pandas as pd
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
-from discostorm import timeline
+from discostorm.drain_times import demand, drain_time, first_idle
 from discostorm.figures import COLORS, PAPER_PROTOCOLS, color_of, smooth_steps
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.model import utilization
 from discostorm_book.figures import drawing
-from discostorm_book.figures.drawing import Look, book_figure, write_text
+from discostorm_book.figures.drawing import Style, book_figure, write_text
 
-_LINES = ("--", "-", "-.")
-_TIME = np.geomspace(0.05, 200, 700)  # s after startup
-_HOSTS = np.linspace(2, 55, 531)
-_WHOLE = np.arange(2, 56, 3)
-_QUEUE_TIME = np.arange(0, 120.01, 0.05)  # s after startup
+_LINE_STYLES = ("--", "-", "-.")
+_TIMES_S = np.geomspace(0.05, 200, 700)  # s after startup
+_HOST_COUNTS = np.linspace(2, 55, 531)
+_INTEGER_HOSTS = np.arange(2, 56, 3)
+_QUEUE_TIMES_S = np.arange(0, 120.01, 0.05)  # s after startup
 #: Upper ends of the axes: airtime that waits [s], and utilization in the steady state [1].
 _QUEUE_MAX, _STEADY_MAX = 80, 1.5
-_LIMITS = {1: "a second", 10: "lease of 10 s", 20: "lease of 20 s"}
+_TIME_LIMITS = {1: "a second", 10: "lease of 10 s", 20: "lease of 20 s"}
 
 
 def airtime_demand_data(
@@ -33,10 +33,10 @@ def airtime_demand_data(
     """Return the airtime requested by times after startup, and when the channel goes idle [s]."""
     requested, idle = [], []
     for hosts in fleets:
-        columns = {"hosts": hosts, "what": "requested", "time_s": _TIME}
-        columns |= {f"{p.name} [s]": timeline.demand(p, _TIME, hosts, **swarm) for p in products}
+        columns = {"hosts": hosts, "what": "requested", "time_s": _TIMES_S}
+        columns |= {f"{p.name} [s]": demand(p, _TIMES_S, hosts, **swarm) for p in products}
         requested.append(pd.DataFrame(columns))
-        times = {f"{p.name} [s]": timeline.first_idle(p, hosts, **swarm) for p in products}
+        times = {f"{p.name} [s]": first_idle(p, hosts, **swarm) for p in products}
         idle.append({"hosts": hosts, "what": "idle"} | times)
     return pd.concat([*requested, pd.DataFrame(idle)])
 
@@ -51,17 +51,17 @@ def airtime_demand(
         for axis, hosts in zip(panels, fleets, strict=True):
             rows = data[data["hosts"] == hosts]
             curves, idle = rows[rows["what"] == "requested"], rows[rows["what"] == "idle"]
-            axis.plot(_TIME, _TIME, color="black", linewidth=1.5)
-            for product, line in zip(products, _LINES, strict=True):
+            axis.plot(_TIMES_S, _TIMES_S, color="black", linewidth=1.5)
+            for product, line in zip(products, _LINE_STYLES, strict=True):
                 name, color = f"{product.name} [s]", color_of(product)
-                axis.plot(_TIME, curves[name], line, label=product.name, color=color)
+                axis.plot(_TIMES_S, curves[name], line, label=product.name, color=color)
                 axis.plot(idle[name], idle[name], "o", zorder=3, color=color)
-            for limit in _LIMITS:
+            for limit in _TIME_LIMITS:
                 axis.axvline(limit, linestyle=":", **drawing.LIMIT_LINE)
             axis.loglog()
             axis.set(xlim=(0.05, 200), ylim=(0.02, 500), xlabel="time after startup [s]")
             axis.set_title(f"{hosts} robots", loc="left")
-            drawing.set_ticks(axis.xaxis, [0.1, *_LIMITS, 100])
+            drawing.set_ticks(axis.xaxis, [0.1, *_TIME_LIMITS, 100])
             drawing.set_ticks(axis.yaxis, [0.1, 1, 10, 100])
         write_text(panels[0], "carried\nat most", (3.2, 20), (0, 0), ha="center")
         panels[0].set_ylabel("airtime [s]")
@@ -82,16 +82,16 @@ def with_period(protocol: Protocol, period: float) -> Protocol:
 
 def queue_over_time_data(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> pd.DataFrame:
     """Return the airtime that waits, by the time after startup [s]."""
-    ahead = np.asarray(timeline.demand(protocol, _QUEUE_TIME, hosts, **swarm)) - _QUEUE_TIME
+    ahead = np.asarray(demand(protocol, _QUEUE_TIMES_S, hosts, **swarm)) - _QUEUE_TIMES_S
     # An idle channel saves nothing for later.
     lowest = np.minimum(0, np.minimum.accumulate(ahead))
-    return pd.DataFrame({"time_s": _QUEUE_TIME, "waiting_s": ahead - lowest})
+    return pd.DataFrame({"time_s": _QUEUE_TIMES_S, "waiting_s": ahead - lowest})
 
 
 def queue_over_time(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> Figure:
     """Draw the queue of a startup over time, when it clears, and the lease."""
     data = queue_over_time_data(protocol, hosts, swarm)
-    idle, lease = timeline.first_idle(protocol, hosts, **swarm), protocol.lease
+    idle, lease = first_idle(protocol, hosts, **swarm), protocol.lease
     color = color_of(protocol)
     with book_figure(2.6, f"The queue of {hosts} robots outlasts the lease") as figure:
         axis = figure.subplots()
@@ -100,7 +100,7 @@ def queue_over_time(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) ->
         write_text(axis, f"clear after {idle:.0f} s", (idle, 0), (4, 8), fontsize=10)
         axis.axvline(lease, linestyle=":", **drawing.LIMIT_LINE)
         write_text(axis, f"lease of {lease:g} s", (lease, _QUEUE_MAX), (4, -12), fontsize=10)
-        axis.set(xlim=(0, _QUEUE_TIME[-1]), ylim=(0, _QUEUE_MAX))
+        axis.set(xlim=(0, _QUEUE_TIMES_S[-1]), ylim=(0, _QUEUE_MAX))
         axis.set(xlabel="time after startup [s]", ylabel="airtime waiting [s]")
     return figure
 
@@ -109,12 +109,12 @@ def drain_times_data(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> 
     """Return the bound of the drain time [s], the steady state, and exact drain times [s]."""
     bounds, exact = [], []
     for product in products:
-        columns: Look = {"product": product.name, "hosts": _HOSTS}
-        columns["at_most_s"] = timeline.drain_time(product, _HOSTS, **swarm)
-        columns["steady state"] = utilization(product, _HOSTS, **swarm, window=np.inf)
+        columns: Style = {"product": product.name, "hosts": _HOST_COUNTS}
+        columns["at_most_s"] = drain_time(product, _HOST_COUNTS, **swarm)
+        columns["steady state"] = utilization(product, _HOST_COUNTS, **swarm, window=np.inf)
         bounds.append(pd.DataFrame(columns))
-        idle = [timeline.first_idle(product, int(hosts), **swarm) for hosts in _WHOLE]
-        columns = {"product": product.name, "hosts": _WHOLE, "idle_after_s": idle}
+        idle = [first_idle(product, int(hosts), **swarm) for hosts in _INTEGER_HOSTS]
+        columns = {"product": product.name, "hosts": _INTEGER_HOSTS, "idle_after_s": idle}
         exact.append(pd.DataFrame(columns))
     return pd.concat([*bounds, *exact])
 
@@ -125,11 +125,11 @@ def drain_times(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figur
     title = "Leases run out long before periodic traffic fills the channel"
     with book_figure(4.3, title) as figure:
         above, below = figure.subplots(2, 1, sharex=True)
-        for product, line in zip(products, _LINES, strict=True):
+        for product, line in zip(products, _LINE_STYLES, strict=True):
             rows, color = data[data["product"] == product.name], color_of(product)
             bound, exact = rows[rows["steady state"].notna()], rows[rows["idle_after_s"].notna()]
             above.plot(bound["hosts"], bound["at_most_s"], line, color=color)
-            look: Look = {"color": color, "fillstyle": "none", "ms": 4}
+            look: Style = {"color": color, "fillstyle": "none", "ms": 4}
             above.plot(exact["hosts"], exact["idle_after_s"], "o", **look)
             below.plot(bound["hosts"], bound["steady state"], line, color=color)
             end = bound[bound["steady state"] < _STEADY_MAX].iloc[-1]
@@ -138,7 +138,7 @@ def drain_times(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figur
             look = {"color": color, "ha": side, "va": "center", "annotation_clip": False}
             at = (end["hosts"], end["steady state"])
             write_text(below, product.name, at, (across, -3), **look)
-        for limit, text in _LIMITS.items():
+        for limit, text in _TIME_LIMITS.items():
             above.axhline(limit, **drawing.LIMIT_LINE)
             side = "top" if limit == 10 else "bottom"
             above.text(55, limit, text, ha="right", va=side, fontsize=9)

@@ -91,7 +91,7 @@ class Claim:
 
 
 @dataclass(frozen=True)
-class Figure:
+class PaperFigure:
     """A figure of the paper, its subject, its stated outcome, and the claims about it, if any."""
 
     number: str
@@ -142,14 +142,14 @@ def _join_number_ranges(numbers: list[int]) -> str:
 
 
 @cache
-def figures() -> dict[str, Figure]:
+def figures() -> dict[str, PaperFigure]:
     """Return the figures of the paper, by their numbers."""
     by_key = {claim.key: claim for claim in claims()}
     found = {}
     for row in read_data("paper/figures.csv", "discostorm_book"):
         number, what, stated, keys, label, _ = row.values()
         about = tuple(by_key[key] for key in keys.split())
-        found[number] = Figure(number, what, stated, about, label)
+        found[number] = PaperFigure(number, what, stated, about, label)
     return found
 
 

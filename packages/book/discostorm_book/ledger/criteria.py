@@ -23,7 +23,7 @@ _RELATIONS: dict[str, Callable[[Any, Any], bool]] = {
     ">": operator.gt,
     "≥": operator.ge,
 }
-_OPPOSITE = {"<": "≥", "≤": ">", ">": "≤", "≥": "<"}
+_OPPOSITE_RELATIONS = {"<": "≥", "≤": ">", ">": "≤", "≥": "<"}
 _IN_WORDS = {"≈": "about ", "<": "less than ", "≤": "at most ", ">": "more than ", "≥": "at least "}
 #: A tolerance no larger than this is for the rounding of floating point alone.
 _ROUNDING = 1e-9
@@ -90,7 +90,7 @@ class Criterion:
         if self.value not in vague_terms():
             raise ValueError(f"word must be one of {', '.join(vague_terms())}; got {self.value!r}")
         term = vague_terms()[self.value]
-        relation = term.relation if self.relation == "is" else _OPPOSITE[term.relation]
+        relation = term.relation if self.relation == "is" else _OPPOSITE_RELATIONS[term.relation]
         return relation, term.threshold
 
     @property
@@ -154,7 +154,7 @@ class Criterion:
             names=" and ".join(_argument_label(each) for each in names if each not in nt.NOTATION),
             swarm=_format_swarm(*self.arguments[-3:]) if "{swarm}" in template else "",
         )
-        # One of a thing is not many of them.
+        # Put the noun after a 1 into the singular.
         question = re.sub(
             r"\b1 (process(?=es\b)|(?:message|session|bit|host|kind|frame)(?=s\b))e?s",
             r"1 \1",

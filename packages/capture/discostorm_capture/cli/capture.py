@@ -14,8 +14,8 @@ import click
 import discostorm as ds
 from discostorm import _checks, wording
 from discostorm.cli import fleet_options, output as cli_output
-from discostorm.cli.calculator_link import Link, calculator_link
-from discostorm.cli.options import A_FILE, output_options, protocol_option_of
+from discostorm.cli.calculator_link import CalculatorLink, calculator_link
+from discostorm.cli.options import FILE_ARGS, output_options, protocol_option_of
 from discostorm.fleet import COUNTS
 from discostorm_capture._types import DataFrame
 from discostorm_capture.cli import diagnosis_output
@@ -36,16 +36,16 @@ def _check_picture_suffix(_: click.Context, _of: click.Parameter, value: str | N
 
 
 @click.command(help=diagnosis_output.read_command_help("capture"))
-@click.argument("file", **A_FILE)
+@click.argument("file", **FILE_ARGS)
 @protocol_option_of("--against", None, "Model to compare the capture with, instead of the paper's")
-@click.option("--fleet", **A_FILE, help=OPTIONS["fleet"])
+@click.option("--fleet", **FILE_ARGS, help=OPTIONS["fleet"])
 @fleet_options.robot_option
 @click.option("--hosts", type=float, metavar="N", help=OPTIONS["hosts"])
 @diagnosis_output.expect_option
 @click.option("--wired", metavar="ADDRESS", multiple=True, help=OPTIONS["wired"])
 @click.option("--window", type=float, metavar="S", help=OPTIONS["window"])
-@click.option("--write-fleet", "written", **A_FILE, help=OPTIONS["write-fleet"])
-@click.option("--picture", **A_FILE, callback=_check_picture_suffix, help=OPTIONS["picture"])
+@click.option("--write-fleet", "written", **FILE_ARGS, help=OPTIONS["write-fleet"])
+@click.option("--picture", **FILE_ARGS, callback=_check_picture_suffix, help=OPTIONS["picture"])
 @output_options
 def capture(
     file: str,
@@ -68,7 +68,7 @@ def capture(
         click.echo(f"Waiting for a program that writes into {pipe}.", err=True)
     with cli_output.bad_input(), cli_output.show_slow_task("reading"):
         captured = ds.read_capture(fleet_options.standard_input() if file == "-" else file)
-        members = fleet_options.comparison_fleet(fleet, robot, hosts)
+        compared = fleet_options.comparison_fleet(fleet, robot, hosts)
         wired_hosts = _parse_wired(wired)
         wires = set(captured.processes()["protocol"])
         models = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in wires]
@@ -76,12 +76,12 @@ def capture(
             models = [ds.PROTOCOLS[against]]
         rows, seconds = [], {}
         for model in models:
-            table = captured.compare(model, members, wired=wired_hosts, window=window)
+            table = captured.compare(model, compared, wired=wired_hosts, window=window)
             rows += [{"protocol": model.name} | row for row in json_rows(table.reset_index())]
             seconds[model.name] = captured.compared_seconds(model, window)
         sums = captured.sums(wired=wired_hosts)
-        if expected is None and members is not None:
-            expected = diagnosis_output.count_hosts(members)
+        if expected is None and compared is not None:
+            expected = diagnosis_output.count_hosts(compared)
         diagnosis = captured.diagnosis(expected)
         encrypted = any(finding.kind == "encrypted" for finding in diagnosis.findings)
         if written is not None and encrypted:
@@ -93,7 +93,7 @@ def capture(
         link = None
         if own is not None and not encrypted:
             link = calculator_link(own, most_common_product(captured))
-        groups = () if members is not None or own is None else own.groups
+        groups = () if compared is not None or own is None else own.groups
         if picture is not None:
             drawing = io.BytesIO()
             kind = Path(picture).suffix[1:].lower()
@@ -169,11 +169,10 @@ def _print_fleet_and_messages(
     packets = wording.count_noun(captured.packets, "packet")
     click.echo(cli_output.visible(f"{captured.path}: {packets} in {captured.duration:.3f} s"))
     for group in groups:
-        hosts, processes, endpoints = group.counts()
-        each = wording.count_noun(processes, "process", "es")
+        each = wording.count_noun(group.processes, "process", "es")
         wired = ", wired" if group.wired else ""
-        many = cli_output.plain(endpoints)
-        click.echo(f"hosts: {cli_output.plain(hosts)} with {each} of {many} endpoints each{wired}")
+        hosts, endpoints = map(cli_output.as_text, (group.hosts, group.endpoints))
+        click.echo(f"hosts: {hosts} with {each} of {endpoints} endpoints each{wired}")
     if not rows:
         click.echo("It contains no messages of RTPS or Zenoh.")
         return
@@ -203,7 +202,7 @@ def _print_traffic_totals(captured: Capture, sums: DataFrame, seconds: dict[str,
         click.echo(f"Compared with {name} over {time:.1f} s, from its first captured message on.")
 
 
-def _print_next_command(written: str, link: Link | None) -> None:
+def _print_next_command(written: str, link: CalculatorLink | None) -> None:
     """Print the next command for the written fleet file, and the link of the calculator."""
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:

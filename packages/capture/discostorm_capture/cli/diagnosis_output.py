@@ -35,7 +35,7 @@ ENDPOINTS_ENCRYPTED: str = _TEXTS["endpoints_encrypted"]
 def read_command_help(command: str) -> str:
     """Return the help text of a command."""
     text: str = _TEXTS[command].replace("\\b", "\b")
-    to_file, to_pipe = (wording.RECORD.format(file=file) for file in ("discovery.pcap", "-"))
+    to_file, to_pipe = (wording.TCPDUMP.format(file=file) for file in ("discovery.pcap", "-"))
     return text.format(record_file=to_file, record_out=to_pipe)
 
 
@@ -72,7 +72,7 @@ def print_diagnosis(diagnosis: Diagnosis) -> None:
             lines.append(f"- {wording.capitalized(finding.summary)}. {evidence}.{advice}")
     width = min(max(shutil.get_terminal_size().columns, 40), 79)
     for line in lines:
-        click.echo(visible(wording.wrapped(line, width)))
+        click.echo(visible(wording.wrap(line, width)))
 
 
 def print_diagnosis_tables(diagnosis: Diagnosis, output: Output) -> None:

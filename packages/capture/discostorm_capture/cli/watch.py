@@ -24,7 +24,7 @@ import click
 from discostorm import _checks, wording
 from discostorm.cli import output as cli_output
 from discostorm.cli.fleet_options import standard_input
-from discostorm.cli.options import A_FILE, wifi_options
+from discostorm.cli.options import FILE_ARGS, wifi_options
 from discostorm.data import data_path
 from discostorm_capture.cli.diagnosis_output import OPTIONS, expect_option, read_command_help
 from discostorm_capture.diagnosis.finding import LIMITS
@@ -55,7 +55,7 @@ PORTS = click.IntRange(1, 65535)
 @click.option("--seconds", type=float, metavar="S", help=OPTIONS["seconds"])
 @click.option("--follow-fleet", "follows", is_flag=True, help=OPTIONS["follow-fleet"])
 @click.option("--prometheus", "port", type=PORTS, metavar="PORT", help=OPTIONS["prometheus"])
-@click.option("--text-file", **A_FILE, help=OPTIONS["text-file"])
+@click.option("--text-file", **FILE_ARGS, help=OPTIONS["text-file"])
 def watch(
     interface: str | None,
     pipe: str | None,
@@ -213,7 +213,7 @@ def _print_state(state: Watch) -> None:
     for since, finding in state.certain_findings.values():
         text.append(f"- since {since:.0f} s: {finding.summary}: {finding.evidence}")
     for sentence in text:
-        click.echo(cli_output.visible(wording.wrapped(sentence)))
+        click.echo(cli_output.visible(wording.wrap(sentence)))
     kinds = [
         (kind, f"{state.rates.get(kind, 0.0):,.1f}", count, state.payload[kind])
         for kind, count in state.messages.most_common(MAX_KIND_ROWS)

@@ -16,7 +16,7 @@ MAX_CLOCK_STEPS = 3
 
 
 def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that announcements are encrypted, and how many pairs of processes exchanged keys."""
+    """Report that announcements are encrypted, and how many pairs of processes exchanged keys."""
     obs = evidence.obs
     unknown = obs.processes["endpoints"].to_numpy() == 0
     hidden = obs.isin("kind", ENCRYPTED) & (obs.sender_index >= 0)
@@ -30,7 +30,7 @@ def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
 
 
 def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that processes or sessions had started before the capture."""
+    """Report that processes or sessions had started before the capture."""
     obs, late = evidence.obs, evidence.early_processes
     count = int((obs.is_rtps & np.isfinite(obs.first_last[0])).sum())
     zenoh = obs.isin("protocol", "Zenoh") & obs.isin("transport", "TCP")
@@ -44,8 +44,8 @@ def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
 
 
 def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that the capture lacks samples, hosts or packets."""
-    text = list(evidence.obs.quality.gaps)
+    """Report that the capture lacks samples, hosts or packets."""
+    text = list(evidence.obs.recording.gaps)
     missing: dict[str, int] = {}
     for (subject, _), count in evidence.missing_samples.items():
         missing[subject] = max(missing.get(subject, 0), count)
@@ -55,13 +55,13 @@ def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
     text += [say("lacks host", count, host) for host, count in evidence.silent_hosts.items()]
     if text:
         hosts = sorted({*missing, *evidence.silent_hosts})
-        if (count := evidence.obs.quality.incomplete_datagrams) >= LIMITS.min_messages:
+        if (count := evidence.obs.recording.incomplete_datagrams) >= LIMITS.min_messages:
             yield Finding("samples in parts", (), say("lack fragments", count))
         yield Finding("capture lost part", tuple(hosts), "; ".join(text))
 
 
 def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that the capture has the unicast of only one host."""
+    """Report that the capture has the unicast of only one host."""
     obs = evidence.obs
     if host := obs.vantage_host:
         text = f"all captured unicast is from or to {host}"
@@ -79,13 +79,13 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
 
 def clock_steps(evidence: Evidence) -> Iterator[Finding]:
     """Yield the steps of the capture's clock."""
-    for frame, step in evidence.obs.quality.clock_steps[:MAX_CLOCK_STEPS]:
+    for frame, step in evidence.obs.recording.clock_steps[:MAX_CLOCK_STEPS]:
         way = "back" if step < 0 else "on"
         yield Finding(f"clock {way}", (), say("clock step", frame, abs(step), way))
 
 
 def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that the capture ended while pairs were still discovering each other."""
+    """Report that the capture ended while pairs were still discovering each other."""
     if pending := evidence.pending_pairs:
         hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
         pairs = wording.count_noun(len(pending), "pair")
@@ -93,7 +93,7 @@ def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
 
 
 def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that the capture lacks confirmations: all writers without one stopped asking."""
+    """Report that the capture lacks confirmations: all writers without one stopped asking."""
     obs, lacking = evidence.obs, evidence.incomplete_pairs
     for pair in lacking:
         beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)

@@ -154,7 +154,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
 
 
 def different_domains(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that hosts are in different domains, or a process is in another one than its host."""
+    """Report that hosts are in different domains, or a process is in another one than its host."""
     known = evidence.obs.processes.query("domain >= 0 and host != ''")
     names = known["domain"].astype(str) + known["tag"].map(lambda tag: tag and f" (tag {tag!r})")
     for _, table in known.groupby("protocol"):
@@ -209,7 +209,7 @@ def _lone_host(evidence: Evidence, scope: DiscoveryScope, reach: Reachability) -
 
 def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -> Iterator[Finding]:
     """Yield why no announcement is answered, such as different subnets or filtered multicast."""
-    hosts, others = reach.hosts, obs.quality.packets_without_messages
+    hosts, others = reach.hosts, obs.recording.packets_without_messages
     count = int((obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]).sum())
     text = f"{listing(hosts)} announced themselves {count} times by multicast"
     subnets = obs.subnet_numbers(hosts, 16).tolist()
@@ -320,7 +320,7 @@ def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[F
     """Yield hosts that receive announcements, but no unicast."""
     hosts, tried = np.array(reach.hosts, object), reach.unicast_tried & reach.observable
     apart = reach.multicast_ok & tried & ~reach.unicast_ok
-    if not apart.any() or obs.quality.recorded_time < LIMITS.timeout:
+    if not apart.any() or obs.recording.recorded_time < LIMITS.timeout:
         return
     if (apart == apart.T).all():
         kept = apart.any(axis=1)
@@ -354,7 +354,7 @@ def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[F
 
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that hosts of a scope form groups without any message from one to another."""
+    """Report that hosts of a scope form groups without any message from one to another."""
     parts = [_connected_groups(evidence.obs, scope) for scope in evidence.scopes]
     separated = [_explain_separation(evidence.obs, groups) for groups in parts if len(groups) > 1]
     yield from separated or _hosts_never_addressed(evidence)

@@ -186,7 +186,7 @@ class Diagnosis:
         if reported:
             sentences += [to_sentence(reported[0].evidence), to_sentence(reported[0].advice)]
         elif self.complete is None:
-            sentences.append(say("record", wording.RECORD.format(file="discovery.pcap")))
+            sentences.append(say("record", wording.TCPDUMP.format(file="discovery.pcap")))
         return " ".join(filter(None, sentences))
 
     def _describe_state(self) -> str:
@@ -250,7 +250,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
     lost = any(one.kind in ("large packets", "reassembly", "unacknowledged") for one in causes)
     losses = [] if lost else list(traffic.frame_loss(evidence))
-    if obs.quality.truncated_share > LIMITS.max_truncated_share:
+    if obs.recording.truncated_share > LIMITS.max_truncated_share:
         causes, losses = list(connectivity.different_domains(evidence)), []
     if any(one.kind == "heavy loss" for one in losses):
         # Heavy loss can look like a broken direction between two hosts.
@@ -270,7 +270,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     happened = [one for one in happened if one.kind != "absent" or not wrong]
     announced = obs.time[obs.isin("kind", *STARTUP_KINDS) & ~obs["ends"]]
     over = (
-        obs.quality.recorded_time - announced.max(initial=0.0) > LIMITS.min_quiet_time
+        obs.recording.recorded_time - announced.max(initial=0.0) > LIMITS.min_quiet_time
         and obs.end > 0
     )
     return Diagnosis(

@@ -28,7 +28,7 @@ class Evidence:
         #: How each process ended: "left", "silent" or "".
         self.endings = _process_endings(obs)
         first, last = obs.first_last
-        #: Processes that said goodbye before a missing answer of theirs would count.
+        #: Processes that said goodbye too early for a missing answer to count as a fault.
         brief = (self.endings == "left") & (last - first < LIMITS.timeout)
         self.brief_processes = {*np.flatnonzero(brief).tolist()}
         self.restart_chains = _restart_chains(obs, self.endings)
@@ -136,8 +136,8 @@ def _silent_hosts(obs: Observations) -> dict[str, int]:
 
 
 def _process_endings(obs: Observations) -> Array:
-    """Return "left" after a goodbye, "silent" without one, "" if it continues or is unknown."""
-    closed = _process_ends(obs)
+    """Return for each process "left" after a goodbye, "silent" without one, else ""."""
+    closed = _observed_ends(obs)
     # A process that only uses a server on its own host announces nothing in the capture.
     announced = obs.senders(obs.isin("kind", "SPDP", *pairs.CLIENT_KINDS))
     # A host out of range does not acknowledge segments.
@@ -170,7 +170,7 @@ def _others_still_send(obs: Observations, process: int, since: float) -> bool:
     return bool((obs.time[others] > since + LIMITS.min_time_of_others).any())
 
 
-def _process_ends(obs: Observations) -> dict[int, tuple[float, str]]:
+def _observed_ends(obs: Observations) -> dict[int, tuple[float, str]]:
     """Return when and how processes end: by a goodbye, or when a TCP connection is closed."""
     closed: dict[int, tuple[float, str]] = {}
     sender, receiver = obs.sender_index, obs.receiver_index
@@ -197,7 +197,7 @@ def _restart_chains(obs: Observations, endings: Array) -> list[list[int]]:
     product, (first, last) = obs.processes["product"].to_numpy(object), obs.first_last
     for processes in obs.processes_by_host(range(len(endings))).values():
         spoke = sorted(filter(lambda one: np.isfinite(first[one]), processes), key=first.item)
-        ended = [one for one in spoke if endings[one] == "silent" or _stopped(obs, one)]
+        ended = [one for one in spoke if endings[one] == "silent" or _stopped_sending(obs, one)]
         for process in spoke:
             like = [one for one in ended if product[one] == product[process]]
             before = [one for one in like if last[one] < first[process]]
@@ -210,7 +210,7 @@ def _restart_chains(obs: Observations, endings: Array) -> list[list[int]]:
     return chains
 
 
-def _stopped(obs: Observations, process: int) -> bool:
+def _stopped_sending(obs: Observations, process: int) -> bool:
     """Return whether a process that paused for at most 1 s before is now silent."""
     times = obs.time[obs.sender_index == process]
     steady = len(times) >= LIMITS.min_steady_messages and np.diff(times).max() <= 1.0

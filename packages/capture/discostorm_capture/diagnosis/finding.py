@@ -48,7 +48,7 @@ class Finding:
 
     @classmethod
     def of(cls, kind: str, hosts: Iterable[str], *values: Any) -> Self:
-        """Return a finding with the sentence of its kind, whose gaps get hosts and values."""
+        """Return a finding of a kind; fill hosts and values into the sentence of the kind."""
         hosts = tuple(hosts)
         return cls(kind, hosts, say(kind, hosts, *values))
 
@@ -59,7 +59,7 @@ class Finding:
 
     @property
     def role(self) -> str:
-        """Its rank: it "explains" others of its hosts, "blocks" pairs, or is a "headline"."""
+        """Its role: it "explains" findings of its hosts, "blocks" pairs or is a "headline"."""
         return finding_kinds()[self.kind]["role"]
 
     @property
@@ -80,7 +80,7 @@ class Finding:
         """What to do about it, as text."""
         advice = remedies()[self.remedy]["what"] if self.remedy else ""
         advice = advice.replace("HOSTS", listing(self.hosts) or "all hosts")
-        return advice.replace("RECORD", wording.RECORD.format(file="discovery.pcap"))
+        return advice.replace("RECORD", wording.TCPDUMP.format(file="discovery.pcap"))
 
     def to_dict(self) -> dict[str, Any]:
         """Return all fields as JSON can hold them."""

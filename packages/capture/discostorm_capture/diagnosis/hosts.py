@@ -80,7 +80,7 @@ def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
 
 
 def different_middleware(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that some hosts speak only DDS and others only Zenoh."""
+    """Report that some hosts speak only DDS and others only Zenoh."""
     speakers: dict[str, set[str]] = {"RTPS": set(), "Zenoh": set()}
     for scope in evidence.scopes:
         speakers[scope.protocol] |= {*scope.hosts}
@@ -112,7 +112,7 @@ def different_settings(evidence: Evidence) -> Iterator[Finding]:
 
 
 def different_clocks(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts whose new samples bear other times than those of most hosts."""
+    """Yield hosts whose clock differs, by the time stamps of their new samples."""
     clocks = dict[str, float]()
     for host, rows in evidence.obs.events("time stamp").groupby("sender", observed=True):
         ahead = (rows["port"] - rows["time"]).to_numpy()
@@ -122,7 +122,7 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
         if len(old) >= LIMITS.min_new_samples and back >= LIMITS.min_clock_difference:
             step = wording.duration(back), rows["time"].iloc[late]
             yield Finding.of("clock steps", (str(host),), *step)
-        # Samples that are sent again bear an old time.
+        # Retransmitted samples carry an old time stamp.
         elif (ahead >= ahead.max() - LIMITS.max_age_difference).sum() >= LIMITS.min_new_samples:
             clocks[str(host)] = ahead.max()
     usual = median_high(clocks.values()) if clocks else 0.0

@@ -11,7 +11,7 @@ from discostorm_capture.diagnosis.pairs import first_of_each_burst
 from discostorm_capture.sentences import listing, say
 
 
-def _seconds(times: Iterable[float]) -> str:
+def _format_times(times: Iterable[float]) -> str:
     return listing([*dict.fromkeys(f"{time:.1f} s" for time in times)])
 
 
@@ -22,7 +22,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
     for host in dict.fromkeys(host_of[chain[0]] for chain in evidence.restart_chains):
         chains = [chain for chain in evidence.restart_chains if host_of[chain[0]] == host]
         starts = sorted(first[new] for chain in chains for new in chain[1:])
-        times = _seconds(starts)
+        times = _format_times(starts)
         which = "processes" if len(starts) > 1 else "a process"
         again[host] = f"{host}: {which} began at {times}, after the previous one had gone silent"
         if max(map(len, chains)) >= LIMITS.min_loop_starts:
@@ -32,7 +32,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
         fell = np.diff(obs.seq[beats], prepend=0) < 0
         starts = first_of_each_burst(obs.time[beats][fell])
         if len(starts) >= LIMITS.min_loop_starts - 1:
-            text = say("server restarts", *(hosts := obs.hosts_of([server])), _seconds(starts))
+            text = say("server restarts", *(hosts := obs.hosts_of([server])), _format_times(starts))
             yield Finding("crash loop", hosts, text)
     # Only processes that others answered: the rest has another problem.
     met = sorted({*obs.receiver_index.tolist()} - {-1})
@@ -50,7 +50,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
 
 
 def paused_servers(evidence: Evidence) -> Iterator[Finding]:
-    """Yield servers that answered nothing for a while, and Zenoh routers of which only TCP does."""
+    """Yield servers that answered nothing for a while, and Zenoh routers with TCP ACKs only."""
     obs = evidence.obs
     for host in obs.hosts_of(sorted(obs.servers)):
         by_it = obs.isin("sender", host)
@@ -86,7 +86,7 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
             if end == "left":
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
-                text = say("crash", host, when, obs.quality.recorded_time)
+                text = say("crash", host, when, obs.recording.recorded_time)
                 endless = np.isinf(obs.processes["lease"].to_numpy()[dead]).any()
                 yield Finding("endless lease" if endless else "crash", (host,), text)
 
@@ -148,4 +148,4 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     kind = "leases expire" if len(when) >= LIMITS.min_lease_expiries else "forgotten"
     leases = evidence.obs.processes.query("host in @hosts")["lease"]
     lease = f"; the lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
-    yield Finding(kind, hosts, say("rediscovered", hosts, _seconds(when), lease))
+    yield Finding(kind, hosts, say("rediscovered", hosts, _format_times(when), lease))

@@ -31,7 +31,7 @@ class Observations:
     network_events: DataFrame
     #: Hosts that run only servers.
     server_hosts: frozenset[str]
-    quality: Recording
+    recording: Recording
     endpoints: DataFrame
     expected_hosts: ExpectedHosts
 
@@ -199,12 +199,12 @@ def merge_addresses(messages: DataFrame, *tables: DataFrame) -> None:
             table[column] = table[column].astype(str).replace(other).astype(kind)
 
 
-def remove_clock_steps(table: DataFrame, quality: Recording) -> DataFrame:
+def remove_clock_steps(table: DataFrame, recording: Recording) -> DataFrame:
     """Return a table with times since the first packet, without the steps of the clock."""
-    first_frames, seconds = np.array(quality.clock_steps, float).reshape(-1, 2).T
+    first_frames, seconds = np.array(recording.clock_steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))
     step = before[np.searchsorted(first_frames, table["frame"], side="right")]
-    return table.assign(time=table["time"] - quality.first_packet_time - step)
+    return table.assign(time=table["time"] - recording.first_packet_time - step)
 
 
 def event_tuples(table: DataFrame) -> list[EventRow]:

@@ -15,7 +15,7 @@ CLIENT_KINDS = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
 #: Added to the domain for each domain tag, because tags separate scopes; larger than any domain.
 TAG_OFFSET = 1000
 #: Sending and answering process, rows of a writer's samples, and rows of the answers.
-Answered = tuple[int, int, Array, Array]
+Exchange = tuple[int, int, Array, Array]
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Pair:
     complete_at: float
     #: Number of endpoints that the subject announced to the observer.
     n_announced: int
-    #: When the observer started over, having confirmed endpoints before [s].
+    #: When the observer, which had confirmed endpoints, started discovery over [s].
     rediscovered_at: tuple[float, ...] = ()
 
     @property
@@ -61,7 +61,7 @@ def endpoint_announcements(obs: Observations) -> dict[tuple[int, ...], Array]:
 
 
 def first_of_each_burst(times: Iterable[float]) -> list[float]:
-    """Return those times that follow the previous kept one by more than a startup pause."""
+    """Return the first time of each burst; bursts are a startup pause or more apart."""
     apart: list[float] = []
     for time in sorted(times):
         if not apart or time - apart[-1] > LIMITS.max_startup_pause:
@@ -260,7 +260,7 @@ def _observable_pairs(obs: Observations, members: tuple[int, ...]) -> Iterator[t
             yield pair
 
 
-def answered_samples(obs: Observations) -> Iterator[Answered]:
+def answered_samples(obs: Observations) -> Iterator[Exchange]:
     """Yield the samples and answers of each writer and each process that answers it."""
     sender, receiver = obs.sender_index, obs.receiver_index
     sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.seq > 0) & (sender >= 0)
@@ -272,14 +272,14 @@ def answered_samples(obs: Observations) -> Iterator[Answered]:
         yield subject, observer, rows[np.isin(receiver[rows], (observer, -1))], asks
 
 
-def min_answer_times(obs: Observations, asked: Iterable[Answered]) -> dict[tuple[str, ...], float]:
+def min_answer_times(obs: Observations, asked: Iterable[Exchange]) -> dict[tuple[str, ...], float]:
     """Return the shortest time to an answer, by host of the writer and of the reader [s]."""
     least: dict[tuple[str, ...], float] = {}
     tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.seq > 0)
     announced = obs.rows_by(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
     for subject, observer, _, asks in asked:
         rows, known = announced.get((subject, int(obs["writer"][asks[0]]))), obs.seq[asks] - 1
-        known += obs["missing"][asks]  # the number of samples of which the reader knew
+        known += obs["missing"][asks]  # the number of samples that the reader knew of
         if rows is not None:
             at = np.searchsorted(np.maximum.accumulate(obs.seq[rows]), known)
             times = obs.time[asks] - np.append(obs.time[rows], -np.inf)[at]

@@ -38,7 +38,7 @@ def reachability(
     hosts = _announcing_hosts(obs, scope)
     observable, *heard = np.zeros((4, len(hosts), len(hosts)), bool)
     for row, column in np.ndindex(observable.shape):
-        # They must be present together for long enough, with their unicast captured.
+        # Both hosts must be present for long enough, and their unicast captured.
         pair = hosts[row], hosts[column]
         begin = max(obs.host_first_last[host][0] for host in pair)
         stop = min(obs.end, *(obs.host_first_last[host][1] + LIMITS.max_pause for host in pair))

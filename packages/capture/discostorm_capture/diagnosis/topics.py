@@ -21,10 +21,10 @@ from discostorm_capture.sentences import listing, say
 #: Topics that each node of ROS 2 writes, and the topic on which processes list their nodes.
 NODE_TOPICS, GRAPH_TOPIC = ("rt/rosout", "rt/parameter_events"), "ros_discovery_info"
 #: Whether topics of a type are "written" or "read" on a robot, or written by a "single" host.
-_TYPES = read_data("diagnosis/robot_types.csv", "discostorm_capture")
+_TOPIC_TYPES = read_data("diagnosis/robot_types.csv", "discostorm_capture")
 #: The finding if several hosts write a topic, by its use.
-WRITTEN_ONCE = {"read": "several commanders", "single": "several clocks"}
-USE_ON_ROBOTS = {row["type"]: row["robot"] for row in _TYPES}
+FINDINGS_BY_USE = {"read": "several commanders", "single": "several clocks"}
+USE_ON_ROBOTS = {row["type"]: row["robot"] for row in _TOPIC_TYPES}
 #: Process, entity id and number of the announcement, by service, "rq" or "rr", and if it writes.
 ServiceEndpoints = dict[tuple[str, str, bool], list[tuple[int, int, int]]]
 #: The policy that separates endpoints on purpose, for example the robots of two teams.
@@ -51,9 +51,9 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
             kind = "robots share topics" if " is read by " in text else "sources share topics"
             yield Finding(kind, tuple(sorted({*np.hstack([*shared])})), text)
     for (use, _, topic), rows in wrote:
-        if use in WRITTEN_ONCE and len(by := rows["host"].unique()) > 1:
+        if use in FINDINGS_BY_USE and len(by := rows["host"].unique()) > 1:
             text = f"{ros_topic(str(topic))} is written by {listing(by)}"
-            yield Finding(WRITTEN_ONCE[use], tuple(by), text)
+            yield Finding(FINDINGS_BY_USE[use], tuple(by), text)
 
 
 def services(evidence: Evidence) -> Iterator[Finding]:
@@ -87,7 +87,7 @@ def older_distributions(evidence: Evidence) -> Iterator[Finding]:
 
 
 def uninformed_clients(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts to whose clients a server or router announces no endpoint, but to others."""
+    """Yield hosts to whose clients a server or router announces no endpoints, unlike to others."""
     obs = evidence.obs
     sent = obs.isin("kind", SEDP) | obs.isin("submessage", "DeclareSubscriber", "Push")
     sent &= np.isin(obs.sender_index, [*obs.servers])

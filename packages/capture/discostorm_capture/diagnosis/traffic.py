@@ -71,7 +71,7 @@ def lost_sample_frames(
     startup = obs.first_last[0][[subject, observer]].max() + LIMITS.startup_time
     sent = sent[np.lexsort((obs.time[sent], obs.seq[sent]))]
     number, time, frame = obs.seq[sent], obs.time[sent], obs["frame"][sent]
-    # With number and time in one key: the last transmission of a sample before its request.
+    # Number and time form one key, which finds the last transmission before a request.
     key = obs.end + 1.0
     lacking = obs.seq[lacks] * key + obs.time[lacks] - delay
     asked = np.searchsorted(number * key + time, lacking, side="right")
@@ -94,7 +94,7 @@ def _max_read_delay(time: Array, startup: float) -> Array:
 
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that frames are lost, and an estimate of their share."""
+    """Report that frames are lost, and an estimate of their share."""
     *both, ends, when = lost_frames(evidence)
     limits = zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True)
     counts = [(*count, *limit) for count, limit in limits if count[0] >= limit[0]]
@@ -111,7 +111,7 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
 
 
 def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that processes answered later announcements of others, but not the first ones."""
+    """Report that processes answered later announcements of others, but not the first ones."""
     obs, late = evidence.obs, list[str]()
     announced = obs.isin("kind", "SPDP") & obs["multicast"]
     for pair in evidence.expected_pairs:
@@ -135,7 +135,7 @@ def _wilson_ci(count: int, total: int) -> tuple[float, float]:
 
 
 def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that endpoints are still announced repeatedly at the end of the capture."""
+    """Report that endpoints are still announced repeatedly at the end of the capture."""
     obs = evidence.obs
     times = obs.time[obs.isin("kind", SEDP) & ~obs["ends"]]
     third = (obs.end - times.min(initial=obs.end)) / 3
@@ -156,8 +156,8 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
 
 
 def network_loop(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that most multicast packets are duplicates, as in a network with a loop."""
-    if (repeated := evidence.obs.quality.duplicate_multicast_share) > LIMITS.min_loop_share:
+    """Report that most multicast packets are duplicates, as in a network with a loop."""
+    if (repeated := evidence.obs.recording.duplicate_multicast_share) > LIMITS.min_loop_share:
         yield Finding.of("network loop", (), wording.percent(repeated))
 
 
@@ -358,7 +358,7 @@ def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
         if many and key[:2] not in sent:
             ends = obs.hosts_of((key[0], key[2]))
             pairs[ends] = pairs.get(ends, 0) + len(rows)
-    if pairs and not obs.quality.gaps:
+    if pairs and not obs.recording.gaps:
         asked = [f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()]
         ends = tuple(dict.fromkeys(chain(*pairs)))
         yield Finding("large packets", ends, say("large samples", asked))

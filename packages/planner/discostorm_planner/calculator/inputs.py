@@ -10,7 +10,7 @@ import discostorm as ds
 from discostorm import _checks, notation as nt
 from discostorm.cells import MAX_CHANNEL
 from discostorm.data import read_data
-from discostorm.fleet import MIN_COUNTS, SWARM, symbolic_group
+from discostorm.fleet import MIN_COUNTS, PAPER_SWARM, symbolic_group
 from discostorm.robots import laptop, robots
 from discostorm.ros_releases import newest_long_term, shipped_table
 from discostorm.wifi import Wifi
@@ -18,7 +18,7 @@ from discostorm.wifi.radio import aggregation_bounds
 from discostorm_planner import change_simulation, discovery_time, simulation_jobs
 from discostorm_planner.answer_text import MAX_SHOWN_CHANGES
 from discostorm_planner.calculator.javascript import JsValue
-from discostorm_planner.discovery_time import MIN_EXPIRED, MIN_PAIRS, RUNS
+from discostorm_planner.discovery_time import MIN_EXPIRED_PER_PAIR, MIN_PAIRS, RUNS
 
 #: Channels to choose from: one entry per radio, with or without aggregation.
 CHANNELS = (ds.PAPER, *ds.WIFI.values())
@@ -102,7 +102,7 @@ def input_fields() -> JsValue:
         "swarm": group_count_fields(
             "",
             ("Robots", "Processes per robot", "Endpoints per process"),
-            SWARM.counts(),
+            PAPER_SWARM.counts(),
             (DEFAULT_HOSTS, robot.processes, robot.endpoints),
         ),
         "beside": group_count_fields(
@@ -158,14 +158,14 @@ def simulation_limits() -> JsValue:
         "max_megabytes": simulation_jobs.MAX_RUN_MEGABYTES,
         "max_work": change_simulation.MAX_COST_S,
         "max_processes": simulation_jobs.MAX_SIMULATED_PROCESSES,
-        "simulated_anyway": [*change_simulation.SIMULATED_ANYWAY],
+        "simulated_anyway": [*change_simulation.ALWAYS_SIMULATED],
         "max_changes": change_simulation.MAX_CHANGES,
         "most_pairs": simulation_jobs.MOST_PAIRS_SHARE,
         "many_lost": change_simulation.MAX_BOUND_LOSS,
         "few_lost": change_simulation.CAUTION_LOSS,
         "min_gain": discovery_time.MIN_RELATIVE_GAIN,
-        "many_expired": MIN_EXPIRED,
-        "other_software": [*sorted(change_simulation.OTHER_SOFTWARE)],
+        "many_expired": MIN_EXPIRED_PER_PAIR,
+        "other_software": [*sorted(change_simulation.SOFTWARE_EFFORTS)],
         "too_large": simulation_jobs.TOO_LARGE,
         "shown": MAX_SHOWN_CHANGES,
         "near": MIN_PAIRS,

@@ -6,11 +6,11 @@ from typing import Any, get_args
 import sympy as sp
 
 import discostorm as ds
-from discostorm import figures, notation as nt, timeline
+from discostorm import drain_times, figures, notation as nt
 from discostorm.data import read_data
-from discostorm.fleet import SWARM, Fleet
-from discostorm.measured import error_bands
+from discostorm.fleet import PAPER_SWARM, Fleet
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit, legs
+from discostorm.prediction_error import error_bands
 from discostorm.protocols import BASES, PROTOCOLS
 from discostorm.saturation import solve_hosts
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
@@ -23,7 +23,7 @@ from discostorm_planner.remedy_rules import product_of, simulation_caution, time
 #: Always-matching endpoints per process, in each of the two groups.
 ALWAYS_MATCHING = sp.symbols("N_S N_S1", nonnegative=True)
 #: Fleets where no endpoints match, where some of each process match, and where all match.
-_GROUPS = (*SWARM.groups, SECOND_GROUP)
+_GROUPS = (*PAPER_SWARM.groups, SECOND_GROUP)
 _MATCHING = (replace(group, shared=n) for group, n in zip(_GROUPS, ALWAYS_MATCHING, strict=True))
 FLEETS = (Fleet(_GROUPS), Fleet(tuple(_MATCHING)), Fleet(_GROUPS, matching=1.0))
 #: Name of each product's default measured table; its other measured tables are variants.
@@ -63,7 +63,7 @@ def message_row(
         "per_unit": message.per_unit,
         "hops": " ".join(message.hops),
         "sent": {
-            "burst": schedule.extra,
+            "burst": schedule.burst_count,
             **{name: schedule.mean(window) for name, window in windows.items()},
         },
     }
@@ -113,7 +113,7 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
         windows["lease"] = protocol.lease
     windows["ever"] = sp.oo
     units = list(protocol.units())
-    *outlooks, never = timeline.OUTLOOKS
+    *outlooks, never = drain_times.OUTLOOKS
     limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
         # The heading above a table; a table that only a change creates has none.

@@ -9,10 +9,10 @@ from typing import Any
 import sympy as sp
 
 import discostorm as ds
-from discostorm import robots, timeline, wording
+from discostorm import drain_times, robots, wording
 from discostorm.data import read_data
 from discostorm.fleet_file import security_warning
-from discostorm.measured import BEYOND, SIZE_CLASSES
+from discostorm.prediction_error import BEYOND_CLAUSE, SIZE_CLASSES
 from discostorm.protocols import BASES
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.answer_text import SENTENCES
@@ -42,7 +42,7 @@ def model_data() -> JsValue:
         if change.table or change.radio or change.fleet
     ]
     ways = sorted({change.steps for change in shown} | {("staggered start",)})
-    drain = formulas.name_of(timeline.DRAIN, "drain")
+    drain = formulas.name_of(drain_times.DRAIN_TIME, "drain")
     largest = formulas.name_of(LARGEST_HOST_COUNT, "largest")
     return {
         "start": {
@@ -52,7 +52,7 @@ def model_data() -> JsValue:
             "product": "Fast DDS",
         },
         "ros": inputs.release_tables(),
-        # What commands call a table whose name stands for the newest release of its product.
+        # The table's name in commands, if it stands for the newest release of its product.
         "exact": {
             r["protocol"]: r["alias"] for r in read_data("vendors/aliases.csv") if r["exact"]
         },
@@ -65,14 +65,14 @@ def model_data() -> JsValue:
         ],
         "discovery": inputs.simulation_limits(),
         "sentences": {**SENTENCES},
-        "alone": wording.ALONE,
+        "alone": wording.LONE_HOST_NOTE,
         "security": list(security_warning()),
         "topology": TOPOLOGY,
         "limit": 1.0,
         # Largest extrapolation as a multiple of the captured range, and the text for larger fleets.
         "told": SIZE_CLASSES[1],
-        "beyond": BEYOND,
-        "times": [list(row) for row in wording.TIMES],
+        "beyond": BEYOND_CLAUSE,
+        "times": [list(row) for row in wording.TIME_UNITS],
         "airtime": message_tables.airtimes(formulas),
         "laptop_nodes": robots.laptop().nodes or 0,
         "service_endpoints": robots.parameter_service_endpoints(),

@@ -66,7 +66,7 @@ def table_replacements(protocol: Protocol, ros: str | None = None) -> list[Chang
 
 
 def table_name_of_change(protocol: Protocol, change: Change) -> str:
-    """Name the new table of a change: its own, or without a key by protocol and change."""
+    """Return the name of a change's table; without a key, a name made of protocol and change."""
     assert change.table is not None
     if change.table.key is None:
         return f"{protocol.name}, {change.what}"
@@ -111,7 +111,7 @@ def _change_rows(protocol: Protocol, ros: str | None = None) -> JsValue:
             change.what,
             change.note,
             table_name_of_change(protocol, change),
-            (change.base or protocol).name,
+            (change.baseline or protocol).name,
             " and ".join(change.steps),
         ]
         for change in table_replacements(protocol, ros)

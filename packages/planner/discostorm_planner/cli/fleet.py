@@ -10,7 +10,7 @@ import click
 import discostorm as ds
 from discostorm import _checks, wording
 from discostorm.cli.fleet_options import display_name, standard_input
-from discostorm.cli.options import A_FILE, output_options
+from discostorm.cli.options import FILE_ARGS, output_options
 from discostorm.cli.output import BadInput, Output, bad_input, print_table, to_json, visible
 from discostorm_planner import ros2_output
 
@@ -19,7 +19,7 @@ from discostorm_planner import ros2_output
 @click.option(
     "--from",
     "file",
-    **A_FILE,
+    **FILE_ARGS,
     required=True,
     help="File with the output of ROS 2 commands, or - for standard input.",
 )
@@ -55,15 +55,15 @@ def fleet(file: str, hosts: float | None, processes: float | None, output: Outpu
     """
     with bad_input():
         graph = ros2_output.parse_ros2_output(_read_input(file), display_name(file))
-        members, notes = ros2_output.fleet_from_graph(graph, hosts, processes)
+        described, notes = ros2_output.fleet_from_graph(graph, hosts, processes)
     notes = [ros2_output.describe_formats(graph), *notes]
-    rows = members.to_dicts()
+    rows = described.to_dicts()
     if output.as_json:
         click.echo(to_json({"groups": rows, "notes": notes}))
     elif output.as_csv:
         print_table(rows, output)
     else:
-        click.echo(visible(_fleet_file_text(members, notes)), nl=False)
+        click.echo(visible(_fleet_file_text(described, notes)), nl=False)
 
 
 def _read_input(file: str) -> str:
@@ -75,9 +75,9 @@ def _read_input(file: str) -> str:
         raise BadInput(f"{display_name(file)} must be text in UTF-8, as ROS 2 prints it") from None
 
 
-def _fleet_file_text(members: ds.Fleet, notes: list[str]) -> str:
-    lines = [f"# {line}" for note in notes for line in wording.wrapped(f"{note}.", 77).splitlines()]
-    for group in members.groups:
+def _fleet_file_text(described: ds.Fleet, notes: list[str]) -> str:
+    lines = [f"# {line}" for note in notes for line in wording.wrap(f"{note}.", 77).splitlines()]
+    for group in described.groups:
         lines += ["", "[[groups]]", f"name = {json.dumps(group.name)}"]
         for key in ("hosts", "processes", "endpoints", "nodes"):
             lines.append(f"{key} = {getattr(group, key):.12g}")

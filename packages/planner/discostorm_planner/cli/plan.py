@@ -76,7 +76,7 @@ _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encod
     help="Target discovery time: a startup works if nine of ten simulated runs meet it.  "
     f"[default: that of the file, else {TARGET_S:g}]",
 )
-@click.option("--all", "every", is_flag=True, help="Name all changes that were tried.")
+@click.option("--all", "all_changes", is_flag=True, help="Name all changes that were tried.")
 @click.option(
     "--why",
     is_flag=True,
@@ -98,12 +98,12 @@ _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encod
 @wifi_options
 @output_options
 def plan(
-    members: FleetInput,
+    fleet_input: FleetInput,
     protocols: tuple[ds.Protocol, ...],
     nodes: Any,
     shared: float | None,
     within: float | None,
-    every: bool,
+    all_changes: bool,
     why: bool,
     paste: str | None,
     folder: str | None,
@@ -112,17 +112,17 @@ def plan(
     output: Output,
 ) -> None:
     """Say whether a fleet's startup works, and what to change first."""
-    ((_, seen, wifi), *others) = channels_by_cell(members.fleet, wifi)
+    ((_, seen, wifi), *others) = channels_by_cell(fleet_input.fleet, wifi)
     with bad_input(), show_slow_task("planning"):
         try:
-            fleet = _set_counts(members.fleet if others else seen, nodes, shared)
+            fleet = _set_counts(fleet_input.fleet if others else seen, nodes, shared)
             fleet = replace(fleet, ros=chosen_distribution())
             if others:
                 plans = [plan_cells(fleet, protocol, within) for protocol in protocols]
             else:
                 plans = [ds.plan(fleet, protocol, wifi, within=within) for protocol in protocols]
         except ValueError as error:
-            raise ValueError(f"{members.error_prefix}{error}") from error
+            raise ValueError(f"{fleet_input.error_prefix}{error}") from error
     if force and folder is None:
         raise click.UsageError("--force needs --write")
     if paste is not None or folder is not None:
@@ -140,18 +140,17 @@ def plan(
         print_table(rows, output)
     elif len(plans) > 1:
         _print_comparison(plans, output)
-    elif output.as_csv:
-        _simulate_plan(plans[0])
-        print_table(_change_rows(plans[0]), output)
-    elif output.as_json:
-        _simulate_plan(plans[0])
-        click.echo(to_json(plans[0].to_dict()))
     else:
-        width = min(max(shutil.get_terminal_size().columns, 40), 79)
         _simulate_plan(plans[0])
-        click.echo(visible(plans[0].advice(width, every=every)))
-        if why:
-            click.echo("\n" + visible(plans[0].why(width)))
+        if output.as_csv:
+            print_table(_change_rows(plans[0]), output)
+        elif output.as_json:
+            click.echo(to_json(plans[0].to_dict()))
+        else:
+            width = min(max(shutil.get_terminal_size().columns, 40), 79)
+            click.echo(visible(plans[0].advice(width, all_changes=all_changes)))
+            if why:
+                click.echo("\n" + visible(plans[0].why(width)))
 
 
 def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
@@ -164,7 +163,7 @@ def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
 
 @contextmanager
 def _progress_bar(busy: str) -> Iterator[Progress]:
-    """Say on standard error what takes long, and on a terminal how far simulations are."""
+    """Print on standard error what takes long and, on a terminal, a progress bar."""
     given, live = click.get_current_context().params, is_live_terminal()
     plain = not (given["as_json"] or given["as_csv"])
     with ExitStack() as shown:
@@ -189,7 +188,7 @@ def _simulate_plan(answer: ds.Plan) -> None:
     low = answer.startup.bounds[0]
     busy = "Periodic traffic alone fills the channel."
     if math.isfinite(low):
-        least = wording.durations(low, low)
+        least = wording.time_range(low, low)
         busy = f"If nothing is lost, startup keeps the channel busy for at least {least}."
     with _progress_bar(f"{busy} Simulating it and its changes.") as show:
         answer.simulate(show, interruptible=True)
@@ -198,7 +197,7 @@ def _simulate_plan(answer: ds.Plan) -> None:
 def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
     """Print the discovery time with each protocol, the shortest first."""
     if (plans[0].all_wired or plans[0].fleet.hosts() == 1) and output.for_people:
-        print_paragraph(wording.ALL_WIRED if plans[0].all_wired else wording.ALONE)
+        print_paragraph(wording.ALL_WIRED_NOTE if plans[0].all_wired else wording.LONE_HOST_NOTE)
         return
     with _progress_bar(f"Simulating the startup with {len(plans)} protocols.") as show:
         simulate_protocols(plans, show)
@@ -225,7 +224,7 @@ def _comparison_row(plan: ds.Plan) -> dict[str, Any]:
 
 def _find_configured(answer: ds.Plan, name: str) -> Remedy:
     """Return the change with this name; raise a ValueError if it cannot be configured."""
-    with _checks.errors_of("--paste"):
+    with _checks.prefix_errors("--paste"):
         remedy = answer.find_change(name)
         if not remedy.snippets:
             raise ValueError(f"{remedy.what} cannot be configured; choose another change")
@@ -245,7 +244,7 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
             raise ValueError(answer_text.fill("nothing written"))
     remedy = _find_configured(answer, name)
     files = texts_by_path(answer.fleet, remedy, answer.within)
-    with _checks.errors_of("--write"):
+    with _checks.prefix_errors("--write"):
         write_folder(Path(folder), files, replace=force)
     begin = f"{len(files)} files. Begin with {Path(folder) / 'README.md'}"
     click.echo(visible(f"{wording.capitalized(remedy.what)}: {begin}"))
@@ -280,7 +279,7 @@ def _set_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float |
     for group, given in zip(fleet.groups, of_groups, strict=True):
         own, many = group.shared, group.nodes if given is None else given
         if own == likely_shared(group.endpoints, group.nodes):
-            # ROS 2 shares more for more nodes; what a file says stays.
+            # More nodes share more endpoints; a number from a fleet file stays.
             own = likely_shared(group.endpoints, many)
         groups.append(replace(group, nodes=many, shared=own if shared is None else shared))
     return replace(fleet, groups=tuple(groups))

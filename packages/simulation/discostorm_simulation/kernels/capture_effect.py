@@ -1,7 +1,7 @@
 """Capture effect: which of several overlapping frames a station receives.
 
-A frame must exceed the sum of all others. The threshold is lower for its start, sent at the basic
-rate, than for data. Between both, only MPDUs that start after the other frames arrive.
+The frame's power must exceed the sum of the other frames by a threshold, which is lower for the
+frame's start (basic rate). Between both thresholds, MPDUs that start after the others' end arrive.
 """
 
 import numpy as np

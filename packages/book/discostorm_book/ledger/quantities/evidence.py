@@ -56,7 +56,7 @@ def startup_airtime_ratio(configuration: str, hosts: float, processes: float) ->
 
 
 def _stored_sweep_rows(table: str, **wanted: str | float) -> list[dict[str, str]]:
-    """Return the rows of a sweep of ``data/simulated`` with these values, at least one."""
+    """Return the rows of a stored sweep with these values; raise an error if there are none."""
     cells = {key: each if isinstance(each, str) else f"{each:g}" for key, each in wanted.items()}
     every = read_data(f"simulated/{table}.csv", "discostorm_book")
     rows = [row for row in every if cells.items() <= row.items()]

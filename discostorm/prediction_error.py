@@ -9,11 +9,6 @@ import numpy as np
 from discostorm.data import read_data
 from discostorm.files import json_ready
 from discostorm.fleet import Fleet
-from discostorm.protocols.measured_tables import (
-    configurations as configurations,
-    product_releases as product_releases,
-    products as products,
-)
 
 #: The first 12 s of a capture, or the 24 s after them.
 Window = Literal["startup", "steady"]
@@ -22,8 +17,8 @@ Window = Literal["startup", "steady"]
 #: and beyond. Beyond the first class, answers do not give a number of hosts.
 SIZE_CLASSES = (1.0, 2.0, np.inf)
 
-#: How a sentence about a band ends for a fleet that is larger than any that was measured.
-BEYOND = "; this fleet is larger, so expect a factor of 2, as far as we know"
+#: End of the sentence about an error, for a fleet that is larger than any measured one.
+BEYOND_CLAUSE = "; this fleet is larger, so expect a factor of 2, as far as we know"
 
 #: Fewest swarms whose minimum and maximum make an interval.
 MIN_POINTS = 6
@@ -47,7 +42,7 @@ def max_covered_hosts(captured: tuple[int, ...], processes: float) -> int:
 
 
 def points_outside_interval(points: int) -> int:
-    """Return how many of these swarms lie beyond each end of an interval around 90% of them."""
+    """Return how many of the swarms lie beyond each end of an interval that holds 90% of them."""
     return max(0, (points + 1) // 20 - 1)
 
 
@@ -89,7 +84,7 @@ class ErrorBand:
         return (
             f"In {part_of}{self.points} swarms {where}, which we left out of the fit, discovery "
             f"took {self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "
-            f"{self.typical:.0%}). {more}{BEYOND * self.beyond}."
+            f"{self.typical:.0%}). {more}{BEYOND_CLAUSE * self.beyond}."
         )
 
 
@@ -104,7 +99,7 @@ def error_band(
     if not bands:
         return None
     hosts, endpoints = relative_fleet_size(fleet, captured)
-    # No point had more than twice the hosts: beyond that, those with twice are the nearest.
+    # We measured up to twice the hosts, so these points are the nearest to larger fleets.
     needed = max(min(hosts, SIZE_CLASSES[1]), endpoints)
     nearest = next((each for each in bands if each.up_to >= needed), bands[-1])
     beyond = hosts > nearest.most_hosts or endpoints > nearest.most_endpoints

@@ -27,7 +27,7 @@ from discostorm.wifi import PAPER
 BURST, STEADY = sp.symbols("B rho", nonnegative=True)
 
 #: When the channel has drained the backlog of the burst [s].
-DRAIN = sp.Piecewise((BURST / (1 - STEADY), STEADY < 1), (sp.oo, True))
+DRAIN_TIME = sp.Piecewise((BURST / (1 - STEADY), STEADY < 1), (sp.oo, True))
 
 #: Relative rounding error of a time [1].
 _ROUNDING = 1e-9
@@ -44,7 +44,7 @@ def burst_drain_time(extra: ArrayLike, steady: ArrayLike) -> Value:
     burst_s = _checks.numbers("extra", extra, 0, _checks.MAX_UTILIZATION)
     steady_part = _checks.numbers("steady", steady, 0, _checks.MAX_UTILIZATION)
     with np.errstate(divide="ignore", invalid="ignore"):  # NumPy computes both branches
-        return evaluate(DRAIN, {BURST: np.asarray(burst_s), STEADY: np.asarray(steady_part)})
+        return evaluate(DRAIN_TIME, {BURST: np.asarray(burst_s), STEADY: np.asarray(steady_part)})
 
 
 def drain_time(
@@ -104,7 +104,7 @@ def demand(
 
 
 def _airtime_per_send(protocol: Protocol, *swarm: Any) -> dict[Schedule, Value]:
-    """Return by schedule the airtime of all its messages at one send time [s]."""
+    """Return, for each schedule, the airtime of all its messages at one send time [s]."""
     together: dict[Schedule, tuple[Message, ...]] = {}
     for message in protocol.messages:
         once = replace(message, schedule=ONCE, answers=None)
@@ -127,8 +127,8 @@ def first_idle(
         return np.inf
     protocol = as_protocol(protocol)
     rounds = _airtime_per_send(protocol, hosts, processes, endpoints, wifi)
-    # After the last start, traffic is at most one round below the line B + rho t that bounds it, so
-    # the channel is not idle before a line that is one round lower meets t.
+    # After the last start time, the demand is at least B + rho t minus the messages of one round.
+    # The channel cannot go idle before this lower bound meets t.
     last = max(schedule.starts[-1] for schedule in rounds)
     round_s = sum(float(each) for schedule, each in rounds.items() if schedule.period < np.inf)
     steady = sum(float(each) * schedule.per_second for schedule, each in rounds.items())
@@ -160,7 +160,7 @@ def _send_times(schedules: Iterable[Schedule], since: float, until: float) -> ND
 def _first_idle_before(
     times: NDArray[np.float64], end: float, protocol: Protocol, *swarm: Any
 ) -> float:
-    """Return the first of these times at which the channel catches up before the next [s]."""
+    """Return the first of these times after which the channel goes idle before the next one [s]."""
     carried = np.asarray(demand(protocol, times, *swarm))
     gaps = carried[carried <= np.append(times[1:], end)]
     return float(gaps[0]) if gaps.size else np.inf
