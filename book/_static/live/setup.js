@@ -27,7 +27,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
   const ticks = (seconds) => Math.min(even(seconds / TICK), NEVER);
   const each = (value, hosts) => (Array.isArray(value) ? value : Array(hosts).fill(value));
 
-  // ---- arrays: bytes with a shape; records are read and written by the names of their fields ----
+  // Arrays: bytes with a shape; the fields of records have names.
 
   const SIZES = { i8: 8, f8: 8, i4: 4 };
   const ACCESS = {
@@ -66,8 +66,6 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
   function checkSize(bytes) {
     if (bytes > MOST) refuse(`This run needs more than ${MOST / 1e6} MB of memory. Choose fewer robots or endpoints.`);
   }
-
-  // ---- what the setting says ----
 
   // Return the messages' rows, which the inner loops read, and how many of each a process sends.
   function traffic(table, recovering, wifi, all) {
@@ -148,8 +146,6 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     if (!repairs) return least + sum(numbers.filter((_, row) => !(rows[row].up && rows[row].down))) * most;
     return least + 2 * most * (sum(numbers) + 4 + sum(rows.map(({ gap_number: gaps = 0 }) => gaps)));
   }
-
-  // ---- the run ----
 
   // Return its arrays, when it ends at the latest [ticks], and how much one step adds at most.
   function setUp(given) {
