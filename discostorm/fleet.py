@@ -259,15 +259,6 @@ class Fleet:
                 "cell_utilization counts each cell; Fleet.by_cell makes each a fleet"
             )
 
-    def reject_wired(self, what: str) -> None:
-        """Raise a ValueError if a group is wired, for callers that put all hosts on the air."""
-        for name, group in zip(self.names, self.groups, strict=True):
-            if group.wired:
-                raise ValueError(
-                    f"wired must be False for {what}, as all hosts are on the air there; got "
-                    f"True for {name}. Leave wired out; plan, utilization and breakdown count it"
-                )
-
     def matches(self) -> float:
         """Return 1 if any endpoints match, else 0."""
         return float(self.matching > 0 or any(group.shared != 0 for group in self.groups))

@@ -1,7 +1,7 @@
 """A group of hosts that run the same software: its counts, processes and their endpoints."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
@@ -173,6 +173,15 @@ class HostGroup:
     def counts(self) -> tuple[Count, ...]:
         """Return hosts, processes and endpoints."""
         return self.hosts, self.processes, self.endpoints
+
+    def with_integer_endpoints(self) -> "HostGroup":
+        """Return the group with a mean number of endpoints split evenly over its processes."""
+        mean, processes = float(self.endpoints), float(self.processes)
+        if self.process_sizes or mean.is_integer() or not processes.is_integer():
+            return self
+        sizes = even_sizes(int(processes), round(processes * mean))
+        shared = min(float(self.shared), *(size.endpoints for size in sizes))
+        return replace(self, processes=sizes, endpoints=None, shared=shared, nodes=None)
 
     def __repr__(self) -> str:
         shown = [f"{name}={_brief(getattr(self, name))}" for name in COUNTS]

@@ -24,30 +24,30 @@ class CalculatorLink:
 def calculator_link(fleet: ds.Fleet, middleware: str | None = None) -> CalculatorLink | None:
     """Return the link for a fleet, with its largest group as the robots; None if all are wired."""
     notes = []
-    if wired := sum(group.hosts for group in fleet.groups if group.wired):
-        left = "1 is left out" if wired == 1 else f"{wired:g} are left out"
-        notes.append(f"the calculator has no wired hosts, so that {left}")
     groups = [group for group in fleet.groups if not group.wired]
+    wired = [group for group in fleet.groups if group.wired and group.endpoints]
+    if not groups:
+        return None
     if fleet.cells:
         groups = _merge_equal_groups(groups)
         notes.append("the calculator spreads robots evenly over access points of one kind")
-    groups = sorted(groups, key=lambda g: -g.hosts)
-    if not groups:
-        return None
-    robots, *others = groups
+    robots, *others = sorted(groups, key=lambda g: -g.hosts)
+    if wired and others:
+        notes.append("the calculator leaves out the wired hosts beside others")
+    others = others or wired
     entries = {"robot": "own", **_total_and_means([robots]), "beside": "own" if others else "none"}
     if others:
         entries |= {f"beside_{name}": value for name, value in _total_and_means(others).items()}
+        entries["cable"] = str(int(others is wired))
     if len(others) > 1:
         notes.append(f"the means of {len(others)} groups stand beside the largest one")
     if middleware is not None:
         entries["middleware"] = middleware
-    wifi = "paper"
+    first = as_wifi(fleet.cells[0].wifi).name if fleet.cells else "paper"
     if fleet.cells:
-        first = as_wifi(fleet.cells[0].wifi).name
-        wifi = first if first in ds.WIFI else wifi
         entries["cells"] = str(len(fleet.cells))
-    entries |= {"wifi": wifi, "matching": str(int(fleet.matching >= 0.5))}
+    entries["wifi"] = first if first in ds.WIFI else "paper"
+    entries["matching"] = str(int(fleet.matching >= 0.5))
     return CalculatorLink(f"{CALCULATOR_PAGE}#{urlencode(entries)}", middleware, tuple(notes))
 
 

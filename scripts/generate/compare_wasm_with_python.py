@@ -108,7 +108,7 @@ def random_settings(count: int, seed: int) -> Iterator[Setting]:
         if rng.random() < 0.3:  # pages take factors; Python takes decibels
             decibels = [[rng.uniform(-90, -40) for _ in range(hosts + 1)] for _ in range(hosts + 1)]
             setting |= {"decibels": decibels, "power": cell_setup.from_decibels(decibels).tolist()}
-        if rng.random() < 0.01:
+        if rng.random() < 0.1 and "power" not in setting:
             setting["fleet"]["groups"][0]["wired"] = True
         more = random.Random(seed + number)
         if more.random() < 0.3:
@@ -121,7 +121,7 @@ def random_settings(count: int, seed: int) -> Iterator[Setting]:
             own["endpoints"] = [more.randint(1, 9) for _ in range(own["processes"])]
             own["shared"] = min(own["shared"], *own["endpoints"])
         if more.random() < 0.5 and "power" not in setting:
-            for number, group in enumerate(groups):
+            for number, group in enumerate(group for group in groups if not group.get("wired")):
                 group["cell"] = number
         yield setting
 

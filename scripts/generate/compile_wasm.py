@@ -87,7 +87,7 @@ def sources_digest() -> str:
         *sorted((SIMULATION_PACKAGE / "kernels").glob("*.py")),
         SIMULATION_PACKAGE / "state.py",
     ]
-    return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+    return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()[:16]
 
 
 def find_linker() -> str | None:

@@ -296,6 +296,7 @@ START = {
     "wifi": "paper",
     "within": "60",
     "cells": "1",
+    "cable": "0",
     "security": "0",
     "start": "together",
 }
@@ -689,7 +690,7 @@ def test_the_link_of_a_capture_opens_with_its_fleet(
     told = json.loads(CliRunner().invoke(main, [*command, "--json"]).stdout)
     printed = CliRunner().invoke(main, command).stdout
     assert f"In the calculator: {told['calculator']}" in printed.splitlines()
-    assert ("no wired hosts" in printed) == bool(wired)
+    assert ("cable=1" in told["calculator"]) == bool(wired)
     page, _, entries = told["calculator"].partition("#")
     assert address.endswith(page)
     tab.goto(f"{address}#{entries}")
@@ -959,6 +960,35 @@ def test_several_access_points_have_the_commands_answer(
         expect(tab.locator(hidden)).to_have_count(0)
     for name in ("cells", "hosts"):
         assert f"{name}={entries[name]}" in link(tab)
+
+
+#: Beside one access point, and beside two with a robot that reboots.
+WIRED: list[dict[str, str]] = [
+    {**SMALL, "hosts": "7", "beside": "laptop", "cable": "1"},
+    {**SMALL, "hosts": "9", "beside": "laptop", "cable": "1", "cells": "2", "start": "reboot"},
+]
+
+
+@pytest.mark.parametrize("entries", WIRED)
+def test_wired_computers_have_the_commands_answer(
+    tab: Page, tmp_path: Path, entries: dict[str, str]
+) -> None:
+    put(tab, entries)
+    numbers = simulated(tab)
+    check_command(tab, entries, tmp_path)
+    fleet = ds.Fleet.from_toml(tmp_path / "fleet.toml")
+    assert [group.wired for group in fleet.groups] == [False] * int(entries["cells"]) + [True]
+    protocol, within = PROTOCOLS[entries["middleware"]], float(entries["within"])
+    if fleet.cells:
+        plan = plan_cells(fleet, protocol, within)
+    else:
+        plan = ds.plan(fleet, protocol, channel(entries), within=within)
+    assert plan.discovery.today is not None
+    assert numbers["simulated median"] == plan.discovery.today.median
+    assert advice(tab) == advised(of_single_changes(plan))
+    for hidden in ("#calc-behind:not([hidden])", "#calc-csv:enabled"):
+        expect(tab.locator(hidden)).to_have_count(0)
+    assert "cable=1" in link(tab)
 
 
 def test_more_access_points_than_robots_are_refused(tab: Page) -> None:

@@ -83,7 +83,7 @@ def test_simulate_takes_every_ready_made_robot() -> None:
     assert told.exit_code == 0
     assert told.stderr == ""
     told = run("simulate|--hosts|2|--processes|2|--endpoints|9.25|--runs|1|--until|1")
-    assert "Note: 9.25 endpoints of each process" in told.stderr
+    assert "has 9.25 endpoints on average; we simulate 9." in told.stderr
 
 
 def test_plan(folder: Path) -> None:

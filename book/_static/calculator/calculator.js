@@ -161,6 +161,8 @@
     choose(byId("robot"), MODEL.start.robot);
     fill(byId("beside"), [["", [[NONE, "Nothing"], [LAPTOP, "Laptop with RViz"], [OWN, "Others, by number"]]]]);
     choose(byId("beside"), LAPTOP);
+    fill(byId("cable"), [["", [["0", "The same Wi-Fi"], ["1", "A cable to the access point"]]]]);
+    choose(byId("cable"), "0");
     const of = (group) => NAMES.filter((name) => MODEL.protocols[name].group === group);
     fill(byId("middleware"), MODEL.groups.map((group) => [group, of(group).map((name) => [name, capitalized(name)])]).filter(([, names]) => names.length));
     fill(byId("matching"), [["", [["0", "A namespace for each robot"], ["1", "The same on all robots"]]]]);
@@ -185,7 +187,7 @@
     addField(byId("target"), WITHIN);
   }
 
-  const LISTS = ["robot", "beside", "ros", "middleware", "channel", "matching", "security", "start"];
+  const LISTS = ["robot", "beside", "cable", "ros", "middleware", "channel", "matching", "security", "start"];
   const listName = (list) => (list === "channel" ? "wifi" : list);
   const chosen = (list) => byId(list).value;
   const usedFields = () => [
@@ -249,6 +251,7 @@
       chosen("channel") === OWN ? { name: OWN, model: "linear", values: link, remedies: [] } : channels.get(chosen("channel"));
     const robot = robots.get(chosen("robot"));
     swarm.sizes = robot?.parts.map(({ processes, endpoints }) => [processes, endpoints]);
+    swarm.wired = swarm.N_H1 > 0 && chosen("cable") === "1";
     const guess = (endpoints) => (endpoints >= MODEL.service_endpoints ? 1 : 0);
     const nodes = [robot?.nodes ?? guess(swarm.N_E), chosen("beside") === LAPTOP ? MODEL.laptop_nodes : guess(swarm.N_E1)];
     const [ofProcess, withNode] = MODEL.shared_endpoints;
@@ -452,8 +455,11 @@
     return tables[ros] ?? tables.any;
   }
 
-  /** Return all changes of a fleet with several access points: of the one where discovery takes most, on its channel. */
-  function changesInCells(settings, airtimeOf) {
+  /** Return whether airtime is counted cell by cell, as the formulas have all hosts on one Wi-Fi. */
+  const byCell = ({ cells, wired }) => cells > 1 || wired;
+
+  /** Return all changes of such a fleet: of the access point where discovery takes most; of several, on its channel. */
+  function changesByCell(settings, airtimeOf) {
     const { middleware, channel, swarm } = settings;
     const ends = (air) => [air.full ?? air, air];
     const [used] = ends(channel).map((end) => airtimeOf(middleware, swarm)(priced(middleware, end), "second"));
@@ -462,6 +468,7 @@
       const [full, single] = ends(air).map((end) => airtimeOf(name, fleet)(priced(name, end), window)[cell]);
       return { full, single };
     };
+    if (swarm.cells === 1) return changesOf(settings, cost);
     return changesOf({ ...settings, channel: { ...channel, remedies: [] } }, cost).map((change) => ({ ...change, air: channel }));
   }
 
@@ -504,7 +511,7 @@
     const all = NAMES.map((name) => answerOf(name, settings.channel, settings.swarm));
     const front = all.find((one) => one.name === settings.middleware) ?? answerOf(settings.middleware, settings.channel, settings.swarm);
     const peers = all.filter((one) => one !== front && one.protocol.group === front.protocol.group && !one.protocol.variant);
-    const planned = settings.swarm.cells > 1 ? { changes: [], turn: null } : plannedOf(settings, changesOf(settings));
+    const planned = byCell(settings.swarm) ? { changes: [], turn: null } : plannedOf(settings, changesOf(settings));
     return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], ...planned, reboot: rebootOf(front.name, settings.channel, settings.swarm) };
   }
 
@@ -551,14 +558,14 @@
       return { grade: 1, title, lines };
     }
     const drain = `If nothing is lost, startup keeps the channel busy for ${busyFor(front.full.drain, front.drain)}.`;
-    if (!found?.known) return { title: `Simulating whether discovery is complete within ${DiscoveryTimes.seconds(within)} …`, lines: swarm.cells > 1 ? [] : [drain] };
+    if (!found?.known) return { title: `Simulating whether discovery is complete within ${DiscoveryTimes.seconds(within)} …`, lines: byCell(swarm) ? [] : [drain] };
     const { today, reason } = found;
     const name = channel.name === OWN ? "your own channel" : channel.name;
     const { name: protocol, protocol: { caution, ratios } } = front;
     const wifi = swarm.cells > 1 ? `${FleetFile.joined(swarm.cells)}: ${name}` : name;
     // Too many processes for the page to count those of each cell, as the command does.
-    if (swarm.cells > 1 && !found.airtime) return { grade: 1, title: DiscoveryTimes.say("not simulated", { reason }), lines: [] };
-    const busy = swarm.cells > 1 ? busiest(settings, found) : { drain: Math.min(front.full.drain, front.drain), steady: front.full.steady };
+    if (byCell(swarm) && !found.airtime) return { grade: 1, title: DiscoveryTimes.say("not simulated", { reason }), lines: [] };
+    const busy = byCell(swarm) ? busiest(settings, found) : { drain: Math.min(front.full.drain, front.drain), steady: front.full.steady };
     const verdict = DiscoveryTimes.verdict({ today, reason, within, fleet: everybody(settings), protocol, wifi, caution, ratios, ...busy });
     if (start !== REBOOT || !today) return verdict;
     const { grade, title } = DiscoveryTimes.late(found.late, within);
@@ -604,8 +611,8 @@
       make("p", { class: "calc-hint" }, `${everybody(settings)}, ${capitalized(front.name)}${how}`, ...numbers.map(([of, value]) => make("data", { value: String(value), "data-of": `simulated ${of}`, hidden: "" }))),
       ...applied,
     );
-    // The airtime is that of one access point, without security.
-    byId("behind").hidden = byId("csv").disabled = settings.swarm.cells > 1 || settings.secure;
+    // The airtime is that of one access point, without wired hosts and security.
+    byId("behind").hidden = byId("csv").disabled = byCell(settings.swarm) || settings.secure;
     showFile(settings);
     byId("reason").textContent = busyText(answer, today);
     become(byId("numbers"), ...rebooting(answer), make("p", { class: "calc-hint" }, assumed(answer)));
@@ -717,7 +724,7 @@
     byId("remedies").replaceChildren(...listed);
     byId("more-changes").replaceChildren(...rows(advice.more));
     become(byId("rest"), ...advice.rest.map((line) => make("p", {}, line)));
-    become(byId("cell-list"), ...(found?.airtime ? cellLines(settings, found).map((line) => make("li", {}, line)) : []));
+    become(byId("cell-list"), ...(found?.airtime && swarm.cells > 1 ? cellLines(settings, found).map((line) => make("li", {}, line)) : []));
     byId("others-tried").hidden = !advice.more.length && !advice.rest.length;
     const waiting = left.length ? `To be simulated: ${left.map(({ what }) => what).join("; ")}.` : DiscoveryTimes.say("searching");
     become(byId("possible"), ...(over ? advice.possible : found?.known ? [waiting] : []));
@@ -1214,7 +1221,7 @@
         ),
       );
     }
-    byId("others").hidden = chosen("beside") === NONE;
+    byId("others").hidden = byId("cable").parentElement.hidden = chosen("beside") === NONE;
     BESIDE.slice(1).forEach((field) => (byId(field.name).parentElement.hidden = chosen("beside") !== OWN));
     const { lease, group, about } = MODEL.protocols[chosen("middleware")];
     byId("middleware-hint").textContent = `${capitalized(about || group)}${lease < Infinity ? `; lease ${duration(lease)}` : ""}.`;
@@ -1224,7 +1231,7 @@
     const { O_agg, n_agg } = channel?.full?.values ?? {};
     const mega = (rate) => `${tenth.format(rate / 1e6)}${SPACE}Mbit/s`;
     const several = parsed(byId("cells").value) > 1;
-    byId("cells-hint").textContent = several ? "Each has a channel of its own. Robots are spread evenly, other computers are at the first." : "";
+    byId("cells-hint").textContent = several ? "Each has a channel of its own. Robots are spread evenly, other computers without a cable are at the first." : "";
     byId("ros").disabled = !releases.has(chosen("middleware"));
     byId("channel-hint").textContent = channel
       ? `Unicast at ${mega(R_uni)} after ${number(O_uni * 1e6)}${SPACE}µs a frame${O_agg ? `, or ${number(O_agg * 1e6)}${SPACE}µs for up to ${count(n_agg)} frames` : ""}, multicast at ${mega(R_multi)}.`
@@ -1259,7 +1266,7 @@
     const { caution, ratios } = answer.front.protocol;
     const today = { name: settings.middleware, air: settings.channel, fleet, caution, ratios, reboots: start === REBOOT };
     const planned = (airtimeOf) => {
-      if (fleet.cells > 1 && airtimeOf) Object.assign(answer, plannedOf(settings, changesInCells(settings, airtimeOf)));
+      if (byCell(fleet) && airtimeOf) Object.assign(answer, plannedOf(settings, changesByCell(settings, airtimeOf)));
       const { changes, turn } = answer;
       const reason = turn?.window === 0 ? decapitalized(MODEL.sentences["periodic traffic fills"]) : "";
       return { changes, window: turn?.window, reason };

@@ -6,7 +6,7 @@ function CellAirtime({ fleet, table }, tables) {
   const { sum, population, shares } = liveTraffic();
   const all = population(fleet);
   const at = all.processes.map(({ host }) => all.cellOf[host]);
-  const cells = [...Array(all.cells).keys()];
+  const cells = [...Array(all.aerial).keys()];
   // As often as units say, in how many frames ever.
   const rows = tables[table].messages.map(({ sent, alone = sent, ...row }) => ({ ...row, sent: alone }));
   const within = (numbers, cell) => sum(numbers.filter((_, i) => at[i] === cell));

@@ -16,9 +16,9 @@ const FleetFile = (() => {
 
   const names = (cells) => Array.from({ length: cells }, (_, cell) => `AP ${cell + 1}`);
 
-  /** The file of a fleet: its robots by the name of a ready-made one, if they are; other computers are at the first access point. */
+  /** The file of a fleet: its robots by the name of a ready-made one, if they are; other computers are wired, or at the first access point. */
   function text({ swarm, within, secure, ros }, { robot, others, nodes, wifi }) {
-    const { N_H, N_P, N_E, N_S, N_H1, N_P1, N_E1, N_S1, cells } = swarm;
+    const { N_H, N_P, N_E, N_S, N_H1, N_P1, N_E1, N_S1, cells, wired } = swarm;
     const several = cells > 1;
     const counts = robot ? { robot } : { processes: N_P, endpoints: N_E, shared: N_S };
     const at = names(cells);
@@ -26,7 +26,7 @@ const FleetFile = (() => {
       ...entries({ within, ros: ros === "none" ? undefined : ros, matching: swarm.names === 2 ? 1 : undefined, security: secure || undefined }),
       ...(several ? at.flatMap((name) => table("cells", { name, wifi })) : []),
       ...spread(N_H, cells).flatMap((hosts, i) => table("groups", { name: several ? `robots at ${at[i]}` : "robots", hosts, ...counts, cell: several ? at[i] : undefined })),
-      ...(N_H1 ? table("groups", { name: others, hosts: N_H1, processes: N_P1, endpoints: N_E1, nodes, shared: N_S1, cell: several ? at[0] : undefined }) : []),
+      ...(N_H1 ? table("groups", { name: others, hosts: N_H1, processes: N_P1, endpoints: N_E1, nodes, shared: N_S1, ...(wired ? { wired } : { cell: several ? at[0] : undefined }) }) : []),
     ];
     return `${lines.join("\n")}\n`;
   }

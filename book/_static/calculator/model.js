@@ -1248,7 +1248,6 @@ return {
 "of paper: messages": "The messages are the paper's: set yours with `--protocol`.",
 "of paper: channel": "The channel is the paper's: set yours with `--wifi`.",
 "server": "The server is wired to the access point, and is not one of your hosts.",
-"wired": "Simulated times are too long: all hosts are simulated on Wi-Fi, also the wired ones ({names}).",
 "extrapolated": "{protocol} was measured with up to {hosts}; for larger fleets, we extrapolate.",
 "air": "With up to {hosts} hosts in an emulated Wi-Fi cell, real {measured} took {range} times as long as simulated.",
 "watched": "We watched real startups for at most {seconds} s, so we extrapolate longer times.",

@@ -38,15 +38,15 @@ const FleetSimulation = (RULES, folder) => {
   /** Processes that have so many endpoints together, each a whole number: discostorm.host_group.even_sizes. */
   const evenSizes = ([processes, endpoints]) => Array.from({ length: processes }, (_, i) => Math.floor(endpoints / processes) + Number(i < endpoints % processes));
 
-  /** The groups of a fleet, with whole endpoints; robots are spread evenly over cells, others are in the first. */
-  function groupsOf({ N_H, N_P, N_E, N_S, N_H1, N_P1, N_E1, N_S1, cells, sizes }) {
+  /** The groups of a fleet, with whole endpoints; robots are spread evenly over cells, others are in the first or wired. */
+  function groupsOf({ N_H, N_P, N_E, N_S, N_H1, N_P1, N_E1, N_S1, cells, sizes, wired }) {
     const group = (hosts, processes, mean, shared, parts) => {
       const endpoints = (parts ?? [[processes, even(processes * mean)]]).flatMap(evenSizes);
       return { hosts, processes, endpoints, shared: Math.min(shared, ...endpoints), cell: 0 };
     };
     const robots = group(N_H, N_P, N_E, N_S, sizes);
     const spread = FleetFile.spread(N_H, cells).map((hosts, cell) => ({ ...robots, hosts, cell }));
-    return N_H1 ? [...spread, group(N_H1, N_P1, N_E1, N_S1)] : spread;
+    return N_H1 ? [...spread, { ...group(N_H1, N_P1, N_E1, N_S1), wired }] : spread;
   }
 
   const fleetOf = (swarm) => ({ groups: groupsOf(swarm), matching: swarm.names === 2 ? 1 : 0 });
@@ -136,7 +136,8 @@ const FleetSimulation = (RULES, folder) => {
     const begin = Math.ceil(times.at(-1));
     if (!begin || begin === Infinity || !repaired) return null;
     const { groups } = setting.fleet;
-    const most = groups.findIndex(({ processes }) => processes === Math.max(...groups.map((group) => group.processes)));
+    const robots = groups.map(({ processes, wired }) => (wired ? 0 : processes));
+    const most = robots.indexOf(Math.max(...robots));
     const start = groups.flatMap(({ hosts }, group) => Array.from({ length: hosts }, (_, host) => begin * (group === most && host === hosts - 1)));
     return sized({ ...setting, start, begin }, data);
   }
@@ -191,7 +192,7 @@ const FleetSimulation = (RULES, folder) => {
   /** How many hosts of the group with most processes suffice, beside all others; which group that is, of how many, and how many hosts each group has. */
   async function fewerHosts({ setting }, { caution, ratios }, within, data, mine, show) {
     const { groups } = setting.fleet;
-    const sizes = groups.map(({ hosts, processes }) => hosts * processes);
+    const sizes = groups.map(({ hosts, processes, wired }) => (wired ? 0 : hosts * processes));
     const place = sizes.indexOf(Math.max(...sizes));
     const { hosts } = groups[place];
     const job = (count) => sized({ ...setting, fleet: { ...setting.fleet, groups: groups.map((group, i) => (i === place ? { ...group, hosts: count } : group)) } }, data);
@@ -203,7 +204,7 @@ const FleetSimulation = (RULES, folder) => {
   /** What the first run of a job sends until discovery is complete; null if that is too much to draw. */
   async function drawn({ setting }) {
     const hosts = setting.fleet.groups.reduce((sum, group) => sum + group.hosts, 0);
-    if (hosts > MOST_HOSTS || setting.fleet.groups.some(({ cell }) => cell)) return null;
+    if (hosts > MOST_HOSTS || setting.fleet.groups.some(({ cell, wired }) => cell || wired)) return null;
     const shares = [];
     let many = 0;
     const each = (share) => {
@@ -228,7 +229,7 @@ const FleetSimulation = (RULES, folder) => {
       if (mine !== asked) return;
       const airtimeOf = (name, fleet) => CellAirtime({ fleet: fleetOf(fleet), table: name }, data.tables);
       let job = jobOf(today, within, data);
-      if (job.setting && today.fleet.cells > 1) found.airtime = airtimeOf(today.name, today.fleet);
+      if (job.setting && (today.fleet.cells > 1 || today.fleet.wired)) found.airtime = airtimeOf(today.name, today.fleet);
       const { changes, window, reason: endless } = planned(job.reason ? null : airtimeOf);
       if (endless) job = { reason: endless };
       else if (window) job = jobOf({ ...today, window }, within, data);

@@ -114,9 +114,9 @@ function liveRun(module, data) {
       return found;
     }
 
-    // Return the transmissions of the last step: the six numbers, the processes that the frame is from and for,
-    // its number, and when it came to the station [ticks]; then, after the step, frames lost by cause, and those
-    // that wait at each station. For radios that send one message in a frame.
+    // Return the transmissions of the last step: the six numbers, sending and receiving process, number of the frame,
+    // and when it came to the station [ticks]; then frames lost by cause, and those that wait at each station. For
+    // radios that send one message in a frame.
     traced() {
       const [sent, parts] = [this.sent(), [KIND_BITS, PROCESS_BITS, PROCESS_BITS, ITEM_BITS]];
       const lost = constants.CAUSES.map((name) => this.now(name));
@@ -135,8 +135,8 @@ function liveRun(module, data) {
       return rows;
     }
 
-    // Return what the run is at: time [s], part of discovery that is done [1], frames lost for good and
-    // waiting at the access point, and whether discovery is complete.
+    // Return the state: time [s], share of complete pairs [1], frames lost and waiting at the access point, and
+    // whether discovery is complete.
     state() {
       const gone = this.now("arrived") + this.lost();
       const [done, all] = this.now("repairs") ? [this.now("finished"), this.now("pairs")] : [gone, this.now("expected")];
@@ -154,7 +154,7 @@ function liveRun(module, data) {
       return constants.CAUSES.filter((name) => name.startsWith(where)).reduce((total, name) => total + this.now(name), 0);
     }
 
-    // Return of all pairs of processes: the part that is done, after how long most are [s], and how often leases ended.
+    // Return for all pairs: the share that is complete, the time of most of them [s], and expired leases.
     pairs() {
       if (!this.now("repairs")) return { done: NaN, most: Infinity, expired: 0 };
       const times = completedAt((pair) => Number(this.get("pairs", pair, "completed_at")), this.learners);

@@ -14,7 +14,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     within: 0, // at random instead, within so many seconds
     loss: 0, // of all hosts, or one of each [1]
     until: 120, // after the last host's start [s]
-    giveUp: null, // a run ends after so many of its longest periods without a new complete pair
+    giveUp: null, // see discostorm_simulation.simulate
     eifs: false,
     block_ack: "negotiate",
     power: null, // at [sender][receiver], the access point last, as factors; null: all heard alike
@@ -27,7 +27,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
   const ticks = (seconds) => Math.min(even(seconds / TICK), NEVER);
   const each = (value, hosts) => (Array.isArray(value) ? value : Array(hosts).fill(value));
 
-  // ---- arrays: bytes with a shape; records are read and written by the names of their fields ----
+  // Arrays: bytes with a shape; the fields of records have names.
 
   const SIZES = { i8: 8, f8: 8, i4: 4 };
   const ACCESS = {
@@ -54,9 +54,11 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
 
   function record(name, values, many = 1) {
     const found = array(name, many);
-    for (let place = 0; place < many; place++) Object.entries(values).forEach(([field, value]) => found.put(place, field, value));
+    for (let place = 0; place < many; place++) put(found, place, values);
     return found;
   }
+
+  const put = (records, place, values) => Object.entries(values).forEach(([field, value]) => records.put(place, field, value));
 
   const refuse = (message) => {
     throw new RangeError(message);
@@ -67,9 +69,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     if (bytes > MOST) refuse(`This run needs more than ${MOST / 1e6} MB of memory. Choose fewer robots or endpoints.`);
   }
 
-  // ---- what the setting says ----
-
-  // Return the messages' rows, which the inner loops read, and how many of each a process sends.
+  // Return the rows of messages, and how many of each a process sends.
   function traffic(table, recovering, wifi, all) {
     const { spread = [] } = recovering;
     const found = shares(table, all, spread);
@@ -107,7 +107,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     return preamble + Math.ceil((symbols * symbol) / grid) * grid;
   }
 
-  // Return what happens first: bursts, announcements that no table names, looks at leases.
+  // Return the first events: bursts, announcements, lease checks.
   function firstEvents({ bursts, repairs }, starts, host) {
     const due = starts.flatMap((start, host) =>
       bursts.times.map(([time, number]) => [ticks(start + time), constants.SEND | BigInt(host) | (BigInt(number) << BigInt(PROCESS_BITS))]),
@@ -149,17 +149,14 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     return least + 2 * most * (sum(numbers) + 4 + sum(rows.map(({ gap_number: gaps = 0 }) => gaps)));
   }
 
-  // ---- the run ----
-
-  // Return its arrays, when it ends at the latest [ticks], and how much one step adds at most.
+  // Return the arrays of a run, its latest end [ticks], and how much one step adds at most.
   function setUp(given) {
     const setting = { ...DEFAULTS, ...given };
     const [table, wifi] = [tables[setting.table], radios[setting.radio]];
     const recovering = setting.recovery ? table.recovering : table.alone;
     if (recovering.refused) refuse(recovering.refused);
-    if (setting.fleet.groups.some(({ wired }) => wired)) refuse("fleet: wired must be False for a simulation; got True");
     const all = population(setting.fleet);
-    const { processes, sizes, cellOf, cells, radios: parts } = all;
+    const { processes, sizes, cellOf, aerial, cells, radios: parts } = all;
     const server = recovering.server ? processes.length : 0;
     const [count, hosts, rows] = [processes.length + (server > 0), sizes.length, table.messages.length];
     if (hosts < 2) refuse(`fleet must have at least 2 hosts to simulate; got ${hosts}`);
@@ -211,30 +208,22 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     const every = hosts + cells;
     const stations = array("stations", every);
     for (let station = 0; station < every; station++) {
-      for (const name of ["head", "tail", "to_head", "to_tail"]) stations.put(station, name, -1);
+      put(stations, station, { head: -1, tail: -1, to_head: -1, to_tail: -1 });
     }
     let first = 0;
     sizes.forEach((size, host) => {
-      stations.put(host, "processes", size);
-      stations.put(host, "first", first);
-      stations.put(host, "loss", each(setting.loss, hosts)[host]);
+      put(stations, host, { processes: size, first, loss: cellOf[host] < aerial ? each(setting.loss, hosts)[host] : 0 });
       first += size;
     });
     const pool = array("pool", constants.POOL);
     for (let entry = 0; entry < constants.POOL; entry++) pool.put(entry, "next", entry + 1);
     const events = array("events", 2 * due.length + 1024);
-    due.forEach(([time, what], place) => {
-      events.put(place, "time", time);
-      events.put(place, "what", what);
-    });
+    due.forEach(([time, what], place) => put(events, place, { time, what }));
     const kinds = array("kinds", cells * rows);
-    for (let at = 0; at < cells * rows; at++) Object.entries(sent.rows[at % rows]).forEach(([name, value]) => kinds.put(at, name, value));
+    for (let at = 0; at < cells * rows; at++) put(kinds, at, { ...sent.rows[at % rows], ...(at >= aerial * rows && { octets: 1, time_up: 1, time_down: 1 }) });
     const own = array("processes", count);
     host.forEach((at, i) => {
-      own.put(i, "host", at);
-      own.put(i, "start", ticks(starts[at] ?? 0));
-      own.put(i, "announce", repairs?.announce_interval_initial ?? 0);
-      own.put(i, "mute", Number(mute[i]));
+      put(own, i, { host: at, start: ticks(starts[at] ?? 0), announce: repairs?.announce_interval_initial ?? 0, mute: Number(mute[i]) });
     });
     const plain = (name, values, ...shape) => {
       const found = array(name, ...shape);
@@ -255,10 +244,15 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     const wheel = 2 ** (32 - Math.clz32(2 * radio.cw_max + 1));
 
     const channels = record("channels", { ...channel, next: NEVER }, cells);
-    for (let number = 0; number < cells; number++) channels.put(number, "hosts", cellOf.filter((own) => own === number).length);
+    for (let number = 0; number < cells; number++) put(channels, number, { hosts: cellOf.filter((own) => own === number).length, ...(number === aerial && { base: 1, per_receiver: 0, cold: 0 }) });
+    // As discostorm_simulation.cell_setup.wire_record.
+    const air = record("radio", radio, parts);
+    const ones = Object.fromEntries(Object.keys(layouts.radio.fields).map((name) => [name, 1]));
+    const wire = { ...ones, cw_min: 0, cw_max: 0, attempts: NEVER, queue: NEVER, lifetime: NEVER };
+    if (cells > aerial) put(air, cells, wire);
 
     const made = {
-      radio: record("radio", radio, parts),
+      radio: air,
       state: record("state", cell),
       channels,
       cell_of: plain("cell_of", [...cellOf, ...Array(cells).keys()], every),

@@ -21,8 +21,8 @@ function liveTraffic() {
     return total;
   }
 
-  // Return the processes of a fleet, host by host, and what the fleet counts. The endpoints of a group are those of each
-  // process, or a list; its cell is a number, and all cells have the same channel.
+  // Return the processes of a fleet, host by host, and its counts. The endpoints of a group are those of each process,
+  // or a list. All cells have the same channel; wired hosts have a cell of their own, the last.
   function population({ groups, matching = 0 }) {
     const processes = [];
     const sizes = []; // of hosts
@@ -38,10 +38,11 @@ function liveTraffic() {
       }
     }
     const matches = Number(matching > 0 || groups.some(({ shared = 0 }) => shared > 0));
-    const cellOf = groups.flatMap(({ hosts, cell = 0 }) => Array(hosts).fill(cell));
-    const cells = Math.max(...groups.map(({ cell = 0 }) => cell)) + 1;
+    const aerial = Math.max(...groups.map(({ wired, cell = 0 }) => (wired ? 0 : cell))) + 1;
+    const cellOf = groups.flatMap(({ hosts, wired, cell = 0 }) => Array(hosts).fill(wired ? aerial : cell));
+    const cells = aerial + groups.some(({ wired }) => wired);
     const radios = cells > 1 ? cells + 1 : 1; // that of the fleet, then of each cell
-    return { processes, sizes, matches, matched: sum(processes.map((process) => process.matched)), cellOf, cells, radios };
+    return { processes, sizes, matches, matched: sum(processes.map((process) => process.matched)), cellOf, aerial, cells, radios };
   }
 
   // What a process has of each: a column of the unit.

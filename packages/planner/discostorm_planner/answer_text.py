@@ -313,7 +313,7 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
         more += [f"- {plan.protocol.name}: {'; '.join(notes)}."] * bool(notes)
     runs, _ = _describe_runs([plan.discovery.today for plan in plans])
     within = _time_text(plans[0].within)
-    lines = [fill("compared", runs=runs, within=within), *_wired_lines(plans[0])]
+    lines = [fill("compared", runs=runs, within=within)]
     for caution in filter(None, dict.fromkeys(plan.discovery.caution for plan in plans)):
         names = [plan.protocol.name for plan in plans if plan.discovery.caution == caution]
         lines.append(fill("cautious", names=wording.join_words(names), caution=caution))
@@ -374,18 +374,10 @@ def _certainty_lines(plan: Plan, all_changes: bool) -> list[str]:
     lines += [fill(f"of paper:{of_paper}")] if of_paper else []
     kinds = {row["kind"] for row in remedy_rules.configuration_rules() if row["table"] == table.key}
     lines += [fill("server")] * bool(kinds & {"discovery server", "router", "star of routers"})
-    lines += _wired_lines(plan)
     for name, mean, whole in found.rounded[:_MAX_GROUPS]:
         lines.append(fill("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))
     lines += [fill("interrupted")] * (not found.complete)
     return [" ".join([*lines, fill("surer")]), fill("why")]
-
-
-def _wired_lines(plan: Plan) -> list[str]:
-    """Return a sentence on the wired hosts, if there are any."""
-    pairs = zip(plan.fleet.names, plan.fleet.groups, strict=True)
-    wired = [hosts_in_words(group.hosts, name) for name, group in pairs if group.wired]
-    return [fill("wired", names=wording.join_words(wired[:_MAX_GROUPS]))] * bool(wired)
 
 
 def _groups_in_discovery(plan: Plan) -> list[HostGroup]:

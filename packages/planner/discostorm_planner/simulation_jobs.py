@@ -17,7 +17,6 @@ from numpy.random import SeedSequence
 from numpy.typing import ArrayLike
 
 from discostorm.fleet import Fleet
-from discostorm.host_group import even_sizes
 from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import MIN_PAIRS, RUNS, DiscoveryTime
 from discostorm_planner.service_reply_wait import required_reply_wait
@@ -77,12 +76,11 @@ class Job:
 
     def slowed_by(self, times: float) -> Job:
         """Return the job on a channel where each frame and each wait takes ``times`` as long."""
-        radio, kinds = self.setup.radio.copy(), self.setup.kinds.copy()
+        radio, kinds = self.setup.radio.copy(), self.setup.kinds_of_cells.copy()
         for records, names in ((radio, _RADIO_TIME_FIELDS), (kinds, ("time_up", "time_down"))):
             for name in names:
                 records[name] = np.round(times * records[name])
-        slower = replace(self.setup, radio=radio, kinds=kinds, kinds_of_cells=kinds)
-        return replace(self, setup=slower)
+        return replace(self, setup=replace(self.setup, radio=radio, kinds_of_cells=kinds))
 
 
 @dataclass
@@ -101,23 +99,12 @@ class WorkMeter:
 
 
 def simulated_fleet(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], ...]]:
-    """Return the fleet as it is simulated, and the groups whose mean endpoints were rounded.
-
-    Each process gets an integer number of endpoints. Wired hosts join the Wi-Fi, in the first cell.
-    """
-    groups, rounded = [], []
-    first = fleet.cells[0].name if fleet.cells else ""
-    for name, group in zip(fleet.names, fleet.groups, strict=True):
-        mean, processes = float(group.endpoints), float(group.processes)
-        whole = replace(group, wired=False, cell=group.cell or first)
-        if not (group.process_sizes or mean.is_integer()) and processes.is_integer():
-            sizes = even_sizes(int(processes), round(processes * mean))
-            shared = min(float(group.shared), *(size.endpoints for size in sizes))
-            whole = replace(whole, processes=sizes, endpoints=None, shared=shared, nodes=None)
-            if not math.isclose(whole.endpoints, mean, rel_tol=1e-9):
-                rounded.append((name, mean, float(whole.endpoints)))
-        groups.append(whole)
-    return replace(fleet, groups=tuple(groups)), tuple(rounded)
+    """Return a fleet of integer endpoints, and the groups whose mean endpoints were rounded."""
+    groups = tuple(group.with_integer_endpoints() for group in fleet.groups)
+    pairs = zip(fleet.names, fleet.groups, groups, strict=True)
+    means = ((name, float(own.endpoints), float(whole.endpoints)) for name, own, whole in pairs)
+    rounded = tuple(row for row in means if not math.isclose(*row[1:], rel_tol=1e-9))
+    return replace(fleet, groups=groups), rounded
 
 
 def prepare_job(

@@ -58,8 +58,8 @@ def simulate(
 
     Hosts send frames to the access point by unicast; the access point queues and forwards them,
     multicast once at the basic rate. Stations contend by EDCA, best effort (802.11a and g: DCF).
-    They try a frame at most 7 times or, with aggregation, until it arrives or expires. Of a fleet
-    with cells, what an access point receives for other cells is at theirs at once.
+    They try a frame at most 7 times or, with aggregation, until it arrives or expires. Frames for
+    other cells and for wired hosts are passed on without delay, and wired hosts lose none.
 
     Parameters
     ----------
@@ -214,8 +214,6 @@ def _simulate_in_threads(setup: Setup, seeds: list[np.random.SeedSequence]) -> l
     if seconds * len(seeds) > _ESTIMATE_FROM_S and sys.stderr is not None:
         about = f"of about {seconds / 60:.1f} min and {megabytes:.0f} MB each"
         click.echo(f"discostorm: {wording.count_noun(len(seeds), 'run')} {about}", err=True)
-    if len(seeds) == 1:
-        return [simulate_run(setup, seeds[0])]
     hidden = sys.stderr is None or seconds * len(seeds) < _PROGRESS_FROM_S
     workers = max(1, min(os.cpu_count() or 1, len(seeds), int(free / max(megabytes, 1.0))))
     runs = run_in_threads([partial(simulate_run, setup, seed) for seed in seeds], workers)

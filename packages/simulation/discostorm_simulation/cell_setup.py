@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
-from discostorm.fleet import COUNTS, MIN_COUNTS, Fleet, HostGroup, Process, is_symbolic
+from discostorm.fleet import COUNTS, MIN_COUNTS, Fleet, Process, is_symbolic
 from discostorm.messages import Hosts, Message, Protocol
 from discostorm.wifi import OfdmSymbols, Radio, Wifi
 from discostorm.wifi.channel import TICK
@@ -43,7 +43,6 @@ def to_ticks(seconds: float) -> int:
 
 def host_table(fleet: Fleet) -> Hosts:
     """Return the table of a fleet's hosts; refuse counts that are not integers."""
-    fleet.reject_wired("a simulation")
     rows = []
     for index, group in enumerate(fleet.groups):
         for count, value in zip(COUNTS, group.counts(), strict=True):
@@ -61,21 +60,19 @@ def host_table(fleet: Fleet) -> Hosts:
     if (total := (numbers * processes).sum()) > _MAX_PROCESSES:
         most = f"{_MAX_PROCESSES} processes"
         raise ValueError(f"fleet must have at most {most} to simulate; got {total}")
-    endpoints = [_endpoints_of_host(group) * int(group.hosts) for group in fleet.groups]
+    endpoints: list[int] = []
+    for group in fleet.groups:
+        sizes = group.process_sizes or (Process(group.processes, group.endpoints),)
+        own = chain(*([int(size.endpoints)] * int(size.count) for size in sizes))
+        endpoints += [*own] * int(group.hosts)
     return Hosts(
         np.repeat(processes, numbers),
-        np.array([*chain(*endpoints)], dtype=np.int64),
+        np.array(endpoints, dtype=np.int64),
         np.repeat(np.arange(numbers.size), numbers),
         fleet.matching,
         np.repeat([float(group.shared) for group in fleet.groups], numbers),
         np.repeat([float(group.own_types) for group in fleet.groups], numbers),
     )
-
-
-def _endpoints_of_host(group: HostGroup) -> list[int]:
-    """Return the endpoints of each process of a host."""
-    sizes = group.process_sizes or (Process(group.processes, group.endpoints),)
-    return [*chain(*([int(size.endpoints)] * int(size.count) for size in sizes))]
 
 
 def radio_record(
@@ -122,6 +119,14 @@ def radio_record(
         record[name] = value
     record["capture_threshold"], record["capture_threshold_basic"] = from_decibels(threshold)
     return record
+
+
+def wire_record() -> Records:
+    """Return the wire of wired hosts as a radio: nobody contends, and a frame takes a few ticks."""
+    wire = np.ones(1, st.RADIO)
+    wire["cw_min"] = wire["cw_max"] = 0
+    wire["attempts"] = wire["queue"] = wire["lifetime"] = st.NEVER
+    return wire
 
 
 def from_decibels(values: ArrayLike) -> NDArray[np.float64]:
@@ -256,19 +261,20 @@ def kind_records(
     return records
 
 
-def kind_records_of_cells(kinds: Records, others: Sequence[Records]) -> Records:
+def kind_records_of_cells(kinds: Records, others: Sequence[Records], wired: bool) -> Records:
     """Return the rows once for each cell, with the octets and airtimes of frames there."""
-    rows = np.tile(kinds, 1 + len(others)) if others else kinds
+    rows = np.tile(kinds, 1 + len(others) + wired)
     for name in ("octets", "time_up", "time_down"):
-        rows[name] = np.concatenate([own[name] for own in (kinds, *others)])
+        own = np.concatenate([own[name] for own in (kinds, *others)])
+        rows[name][: own.size], rows[name][own.size :] = own, 1
     return rows
 
 
 def cells_of_hosts(fleet: Fleet) -> NDArray[np.int64]:
-    """Return the index of the cell of each host; 0 without cells."""
+    """Return the index of the cell of each host, 0 without cells; wired hosts have the last."""
     names = [cell.name for cell in fleet.cells] or [""]
-    numbers = [int(group.hosts) for group in fleet.groups]
-    return np.repeat([names.index(group.cell) for group in fleet.groups], numbers)
+    cells = [len(names) if group.wired else names.index(group.cell) for group in fleet.groups]
+    return np.repeat(cells, [int(group.hosts) for group in fleet.groups])
 
 
 @dataclass(frozen=True)

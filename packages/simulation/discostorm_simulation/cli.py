@@ -157,7 +157,7 @@ def simulate(
     found: dict[str, ds.Simulation] = {}
     alone: dict[str, ds.Simulation] = {}
     refused: dict[str, str] = {}
-    fleet, wifi = _round_endpoints(fleet_input.fleet), aggregation_bounds(wifi)[0]
+    fleet, wifi = _with_integer_endpoints(fleet_input.fleet), aggregation_bounds(wifi)[0]
     cells = (replace(one, wifi=aggregation_bounds(as_wifi(one.wifi))[0]) for one in fleet.cells)
     fleet = replace(fleet, cells=tuple(cells))
     with out.bad_input():
@@ -224,17 +224,14 @@ def simulate(
     fleets.print_channels(fleet, wifi, output)
 
 
-def _round_endpoints(fleet: ds.Fleet) -> ds.Fleet:
-    """Round the endpoints of a fleet to integers; print a note if the rounding changes them."""
-    groups = []
-    for group in fleet.groups:
-        endpoints = group.endpoints if group.process_sizes else float(round(group.endpoints))
-        groups.append(replace(group, endpoints=endpoints))
-        if endpoints != group.endpoints:
-            name = f" of {group.name}" if group.name else ""
-            note = f"Note: {group.endpoints:g} endpoints of each process{name}, a mean, are "
-            click.echo(out.visible(f"{note}simulated as {endpoints:g}."), err=True)
-    return replace(fleet, groups=tuple(groups))
+def _with_integer_endpoints(fleet: ds.Fleet) -> ds.Fleet:
+    """Split mean endpoints over processes; print a note if that changes the mean."""
+    groups = tuple(group.with_integer_endpoints() for group in fleet.groups)
+    for name, group, whole in zip(fleet.names, fleet.groups, groups, strict=True):
+        if abs(group.endpoints - whole.endpoints) > 1e-6:
+            note = f"Note: a process of {name} has {group.endpoints:g} endpoints on average; we "
+            click.echo(out.visible(f"{note}simulate {whole.endpoints:g}."), err=True)
+    return replace(fleet, groups=groups)
 
 
 def _user_data_rows(found: dict[str, ds.Simulation]) -> list[dict[Any, Any]]:

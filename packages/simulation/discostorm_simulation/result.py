@@ -16,12 +16,10 @@ from discostorm.lookup import as_wifi
 from discostorm.messages import Protocol
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
+from discostorm_simulation.state import Floats, Ints
 
 if TYPE_CHECKING:
     import pandas as pd
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 #: Causes of lost receptions. Prefix ``host``: at the sender; ``ap``: at the access point.
 CAUSES = ("host_full", "host_age", "host_retry", "ap_full", "ap_age", "ap_retry", "on_air")
@@ -29,11 +27,6 @@ CAUSES = ("host_full", "host_age", "host_retry", "ap_full", "ap_age", "ap_retry"
 COUNTS = (
     *("expected", "arrived", *CAUSES, "waiting"),
     *("ppdus", "mpdus", "retried", "collisions", "collided", "requests", "expired"),
-)
-#: Fields of `Simulation` that hold arrays over all runs.
-RUN_ARRAYS = (
-    *("starts", "drain_time", "lost", "lost_by_host", "convergence_time", "busy_time"),
-    *("counts", "airtime", "pair_times", "data"),
 )
 DIRECTIONS, QUEUES = ("up", "down", "failed"), ("time_s", "hosts", "access_point")
 #: Quantiles of the pairs' times in JSON: every twentieth, from the first pair to the last.
@@ -168,11 +161,11 @@ class Simulation:
         cls, fleet: Fleet, protocol: Protocol, wifi: Wifi, settings: dict[str, Any], runs: list[Run]
     ) -> Simulation:
         """Combine the results of several runs."""
-        found = {name: _stack_runs([getattr(run, name) for run in runs]) for name in RUN_ARRAYS}
         queues, transmissions = tuple(run.queues for run in runs), runs[0].transmissions
-        return cls(
-            fleet, protocol, wifi, settings, queues=queues, transmissions=transmissions, **found
-        )
+        found: dict[str, Any] = {"queues": queues, "transmissions": transmissions}
+        for name in set(Run.__dataclass_fields__) - set(found):
+            found[name] = _stack_runs([getattr(run, name) for run in runs])
+        return cls(fleet, protocol, wifi, settings, **found)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Simulation):

@@ -153,10 +153,11 @@ def set_up(scenario: Scenario) -> Setup:
         rule = f"loss must be one number, or one for each of the {count} hosts"
         raise ValueError(f"{rule}; got {errors.shape}")
     channels = [as_wifi(cell.wifi) for cell in scenario.fleet.cells] or [scenario.wifi]
-    if scenario.power is not None and scenario.fleet.cells:
-        raise ValueError("power must be left out with cells, as it covers only one")
+    if scenario.power is not None and (scenario.fleet.cells or scenario.fleet.has_wired):
+        raise ValueError("power must be left out with cells or wired hosts: it covers one cell")
     how = scenario.queue, scenario.eifs, scenario.threshold
     radios = [cell_setup.radio_record(wifi, *how) for wifi in channels]
+    radios += [cell_setup.wire_record()] * scenario.fleet.has_wired
     radio = np.concatenate([*radios[:1], *radios] if len(radios) > 1 else radios)
     protocol = user_data.add_user_data_rows(discovery, scenario.fleet)
     ports = legs.rows_to_every_port(protocol) if scenario.recovery else ()
@@ -174,6 +175,7 @@ def set_up(scenario: Scenario) -> Setup:
     lasting = scenario.queue[1], scenario.until
     bursts, data = user_data.add_user_data_bursts(protocol, clock, kinds, *lasting)
     start_times(scenario.start, count, np.random.default_rng(0))  # refuses a bad start early
+    cell_of = cell_setup.cells_of_hosts(scenario.fleet)
     return Setup(
         scenario=scenario,
         hosts=hosts,
@@ -181,10 +183,10 @@ def set_up(scenario: Scenario) -> Setup:
         shares=shares,
         bursts=bursts,
         radio=radio,
-        cell_of=cell_setup.cells_of_hosts(scenario.fleet),
-        kinds_of_cells=cell_setup.kind_records_of_cells(kinds, others),
+        cell_of=cell_of,
+        kinds_of_cells=cell_setup.kind_records_of_cells(kinds, others, scenario.fleet.has_wired),
         repairs=repairs,
-        loss=np.broadcast_to(errors, count),
+        loss=np.where(cell_of < len(channels), errors, 0.0),
         power=_power_factors(scenario.power, count),
         user_data=data,
         topics=user_data.topics_of_rows(protocol),

@@ -52,17 +52,55 @@ def test_each_cell_carries_what_the_closed_form_counts(name: str, hall: int, yar
     log = ds.simulate(fleet, table, start=np.arange(hall + yard), **ENDLESS).transmissions
     hosts = [0] * hall + [1] * yard
     for number, seen in enumerate(fleet.by_cell().values()):
-        for row, message in enumerate(table.messages):
-            for hop in HOPS:
-                stations = [hall + yard + number]
-                if hop == "up":
-                    stations = [host for host, of in enumerate(hosts) if of == number]
-                own = log[np.isin(log["station"], stations) & (log["kind"] == row)]
-                sent = own["outcome"] == SUCCESS
-                if message.cast == "multicast" and hop == "down":
-                    sent |= own["outcome"] == COLLISION  # sent once, whether heard or not
-                count = message.per_unit * message.wireless_unit(hop).count(seen)
-                assert own["frames"][sent].sum() == count, (number, message.name, hop)
+        own_hosts = [host for host, of in enumerate(hosts) if of == number]
+        check_frames(log, table, seen, own_hosts, hall + yard + number)
+
+
+def check_frames(log: Any, table: ds.Protocol, seen: ds.Fleet, hosts: list[int], ap: int) -> None:
+    """Compare the frames of each message and hop on the air with the closed form's."""
+    for row, message in enumerate(table.messages):
+        for hop in HOPS:
+            stations = hosts if hop == "up" else [ap]
+            own = log[np.isin(log["station"], stations) & (log["kind"] == row)]
+            sent = own["outcome"] == SUCCESS
+            if message.cast == "multicast" and hop == "down":
+                sent |= own["outcome"] == COLLISION  # sent once, whether heard or not
+            count = message.per_unit * message.wireless_unit(hop).count(seen)
+            assert own["frames"][sent].sum() == count, (message.name, hop)
+
+
+@pytest.mark.parametrize("counts", [(3, 1), (1, 2), (2, 2)])
+@pytest.mark.parametrize("name", ["DDS", "Zenoh"])
+def test_wired_hosts_use_the_air_as_the_closed_form_counts(
+    name: str, counts: tuple[int, int]
+) -> None:
+    pairs = zip(counts, (False, True), strict=True)
+    groups = (ds.HostGroup(n, 2, 5, shared=1, wired=wired) for n, wired in pairs)
+    fleet, table, hosts = ds.Fleet(tuple(groups)), ds.PROTOCOLS[name], sum(counts)
+    log = ds.simulate(fleet, table, start=np.arange(hosts), **ENDLESS).transmissions
+    check_frames(log, table, fleet, [*range(counts[0])], hosts)
+
+
+@pytest.mark.parametrize(
+    "name", ["Fast DDS", "Cyclone DDS", "Zenoh peer", "Zenoh router", "Fast DDS Discovery Server"]
+)
+def test_a_fleet_with_wired_hosts_is_sooner_complete(name: str) -> None:
+    robots, desk = ds.HostGroup(6, 2, 10, "robots"), ds.HostGroup(2, 2, 10, "desk")
+    wired, all_on_air = (
+        ds.simulate(ds.Fleet((robots, one)), name, FAST, runs=10, loss=0.05, until=60)
+        for one in (replace(desk, wired=True), desk)
+    )
+    assert np.isfinite(wired.pair_times).all()
+    assert np.median(wired.busy_time) < np.median(all_on_air.busy_time)
+    assert np.median(wired.convergence_time) < np.median(all_on_air.convergence_time)
+
+
+def test_the_wire_loses_nothing() -> None:
+    fleet = ds.Fleet((ds.HostGroup(4, 2, 40, shared=1, wired=True),))
+    found = ds.simulate(fleet, "Fast DDS", loss=0.3, queue=(20, 0.5), until=60, runs=3)
+    assert (found.counts["arrived"] > 0).all()
+    assert not found.lost.any()
+    assert not found.counts["collisions"].any()
 
 
 @pytest.mark.parametrize("queue", [None, (20, 0.01)])
@@ -146,10 +184,10 @@ def test_cells_name_their_channels_themselves() -> None:
     fleet = fleet_of(1, 1)
     with pytest.raises(ValueError, match="wifi must be left out, as each cell names its own"):
         ds.simulate(fleet, ds.DDS, "802.11ac 80 MHz")
-    with pytest.raises(
-        ValueError, match="power must be left out with cells, as it covers only one"
-    ):
-        ds.simulate(fleet, ds.DDS, power=np.zeros((3, 3)))
+    desk = ds.Fleet((ds.HostGroup(1, 1, 2), ds.HostGroup(1, 1, 2, wired=True)))
+    for one in (fleet, desk):
+        with pytest.raises(ValueError, match="power must be left out with cells or wired hosts"):
+            ds.simulate(one, ds.DDS, power=np.zeros((3, 3)))
     found = ds.simulate(fleet, ds.DDS)
     told = found.to_dict()
     assert [cell["name"] for cell in told["cells"]] == ["hall", "yard"]

@@ -267,7 +267,7 @@ def test_fractions_are_right_in_the_mean_and_whole_numbers_always(name: str) -> 
     what.radio["cw_min"] = what.radio["cw_max"] = 4095
     what.radio["attempts"] = 10**6
     what.radio["ack"], what.radio["sifs"] = 0, 0
-    what.kinds["time_up"] = TIME
+    what.kinds_of_cells["time_up"] = TIME
     runs = np.array([frames_of_rows(what, seed) for seed in range(40)])
     wanted = np.array([float(m.load(UNLIKE)) * m.frames for m in once])
     senders, whole = 12, what.kinds["whole"] > 0

@@ -3,7 +3,7 @@
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels.channel_access import enter_earliest_cell, next_slot, synchronize
+from discostorm_simulation.kernels import channel_access
 from discostorm_simulation.kernels.decorators import called_from_python, inlined, not_inlined
 from discostorm_simulation.kernels.delivery import fill_window
 from discostorm_simulation.kernels.frame_exchange import transmit_alone, transmit_together
@@ -54,7 +54,10 @@ def transmit(cell, time, slot):
         while station >= 0:
             state.waiting -= 1
             following = np.int64(cell.behind[station])
-            count = add_sender(cell, station, time, count)
+            if count and cell.radio[0].cw_max == 0:  # nobody contends for a wire
+                channel_access.enter_backoff_wheel(cell, station, slot + 1)
+            else:
+                count = add_sender(cell, station, time, count)
             station = following
     if time >= state.deferred_time:
         state.deferred_time = st.NEVER
@@ -68,7 +71,7 @@ def transmit(cell, time, slot):
                     state.deferred_time = min(state.deferred_time, waiting_station.time)
     if count == 0:
         return
-    synchronize(cell, time, slot)
+    channel_access.synchronize(cell, time, slot)
     station = cell.senders[0].station
     if count > 1:
         station = transmit_together(cell, count, time)
@@ -80,7 +83,7 @@ def transmit(cell, time, slot):
 @called_from_python
 def advance(cell, until, reserve, steps):
     """Simulate ``steps`` steps of a run; return `OVER`, `MEMORY` (needs more memory) or `GO_ON`."""
-    state, slot_ticks = cell.state[0], cell.radio[0].slot
+    state = cell.state[0]
     while steps > 0:
         # Without recovery, only user data prolong a run.
         complete = state.converged > 0 if state.repairs else state.stamp == 0
@@ -89,11 +92,11 @@ def advance(cell, until, reserve, steps):
         if state.spare < reserve or state.events + reserve > cell.events.size:
             return st.MEMORY
         if state.cells > 1:
-            enter_earliest_cell(cell)
+            channel_access.enter_earliest_cell(cell)
         time, slot = st.NEVER, np.int64(-1)
         if state.waiting > 0:
-            slot = next_slot(cell)
-            time = state.base + (slot - state.slot) * slot_ticks
+            slot = channel_access.next_slot(cell)
+            time = state.base + (slot - state.slot) * cell.radio[0].slot
         if state.deferred_time < time:
             time, slot = state.deferred_time, np.int64(-1)
         happens = state.events > 0 and cell.events[0].time <= time
