@@ -208,9 +208,9 @@ def _swarm_options(make: Callable[..., Any], metavar: str, told: str) -> Callabl
     return options.option_group("members", make, hosts, *count_options, *file_options)
 
 
-swarm_options = _swarm_options(_fleet_input, "N", "Hosts.")
+swarm_options = _swarm_options(_fleet_input, "N", "Number of hosts.")
 several_swarms_options = _swarm_options(
-    _fleet_inputs, "N[,N...]", "Hosts; several give a row each."
+    _fleet_inputs, "N[,N...]", "Number of hosts; each of several gets its own row."
 )
 
 
