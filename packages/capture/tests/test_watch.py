@@ -127,7 +127,7 @@ def test_beside_running_robots_it_learns_who_speaks_and_names_who_stops() -> Non
     assert ". Check whether 10.77.0.2 is on and within reach" in said[26]
     _, text, kinds, _ = seconds[-1]
     assert "answers no more" in kinds
-    assert text.startswith("10.77.0.3: still sends, but no longer answers any host")
+    assert text.startswith("10.77.0.3 still sends, but no longer answers any host")
 
 
 def listened(content: bytes) -> list[tuple[float, list[str]]]:
