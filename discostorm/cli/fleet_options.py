@@ -87,7 +87,7 @@ def describe_matching(command: click.Command) -> click.Command:
 def standard_input() -> BinaryIO:
     """Return the bytes of standard input."""
     if sys.stdin is None:
-        raise click.UsageError("- is standard input, which is closed")
+        raise click.UsageError("standard input (-) is closed")
     return sys.stdin.buffer
 
 

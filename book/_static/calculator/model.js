@@ -126,7 +126,7 @@ const s87 = "failed robots are noticed later, and lost announcements are repeate
 const s88 = "one more program";
 const s89 = "robots need the server's address; ros2 tools must be super clients";
 const s90 = "discovery server on a robot";
-const s91 = "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; we count a service as two endpoints, as in DDS";
+const s91 = "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; services count as two endpoints, as in DDS";
 const s92 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": s91, "mind": s91};
 const s93 = "another middleware";
 const s94 = "all hosts must change together";
@@ -1330,7 +1330,7 @@ return {
 "takes": s98,
 "best_case": false,
 "cost": "all hosts must change together; robots need the router's address; all data pass through it",
-"mind": "all hosts must change together; robots need the router's address; all data pass through it; if the router is killed, robots hear nothing until 2.2 s after the router is back (lease of 10 s)",
+"mind": "all hosts must change together; robots need the router's address; all data pass through it; if the router fails, robots hear nothing until 2.2 s after the router is back (10 s lease)",
 },
 "None": null,
 },
@@ -1397,7 +1397,7 @@ return {
 "takes": s88,
 "best_case": false,
 "cost": "robots need the router's address; all data pass through it",
-"mind": "robots need the router's address; all data pass through it; if the router is killed, robots hear nothing until 2.2 s after the router is back (lease of 10 s)",
+"mind": "robots need the router's address; all data pass through it; if the router fails, robots hear nothing until 2.2 s after the router is back (10 s lease)",
 },
 "None": null,
 },

@@ -74,7 +74,7 @@ def test_wired_hosts_beside_cells_are_simulated_in_the_first(tmp_path: Path) -> 
     )
     assert wired["discovery"]["today"] == in_hall["discovery"]["today"]
     said = " ".join(run(tmp_path, CELLS + GROUPS + desk + "wired = true\n").output.split())
-    assert "also the wired ones (1 desk)." in said
+    assert "even the wired ones (1 desk)." in said
     assert "- hall: the startup needs at least" in said
 
 

@@ -134,9 +134,9 @@ def simulate(
 
     FLEET is a fleet file in TOML; `discostorm plan --help` describes the format. Radios put up to
     64 frames for one receiver into an A-MPDU, if their standard allows it. With recovery (the
-    default), messages trigger answers and the middleware repairs losses. A time that a run does not
-    reach is null in JSON and empty in CSV. We do not simulate recovery with a server on a robot; the
-    answer is then the drain time.
+    default), messages trigger answers and the middleware repairs losses. A time that a run does
+    not reach is null in JSON and empty in CSV. We do not simulate recovery with a server on a
+    robot; the answer is then the drain time.
 
     If FLEET lists topics ([[groups.data]]), hosts send them alongside discovery, and each run is
     repeated without topics. A second table shows the samples' delays and the share of frames that
