@@ -18,7 +18,7 @@ Window = Literal["startup", "steady"]
 SIZE_CLASSES = (1.0, 2.0, np.inf)
 
 #: End of the sentence about an error, for a fleet that is larger than any measured one.
-BEYOND_CLAUSE = "; this fleet is larger, so expect a factor of 2, as far as we know"
+BEYOND_CLAUSE = "; this fleet is larger, so expect errors of up to a factor of 2"
 
 #: Fewest swarms whose minimum and maximum make an interval.
 MIN_POINTS = 6
@@ -82,8 +82,8 @@ class ErrorBand:
         kept = self.points - 2 * points_outside_interval(self.points)
         part_of = "" if kept == self.points else f"{kept} of "
         return (
-            f"In {part_of}{self.points} swarms {where}, which we left out of the fit, discovery "
-            f"took {self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "
+            f"In {part_of}{self.points} swarms {where} that we left out of the fit, discovery took "
+            f"{self.low:.2f} to {self.high:.2f} times the predicted airtime (typical error "
             f"{self.typical:.0%}). {more}{BEYOND_CLAUSE * self.beyond}."
         )
 

@@ -87,7 +87,7 @@ def describe_matching(command: click.Command) -> click.Command:
 def standard_input() -> BinaryIO:
     """Return the bytes of standard input."""
     if sys.stdin is None:
-        raise click.UsageError("- is standard input, which is closed")
+        raise click.UsageError("standard input (-) is closed")
     return sys.stdin.buffer
 
 
@@ -208,9 +208,9 @@ def _swarm_options(name: str, make: Any, metavar: str, text: str) -> Callable[[A
     return options.option_group(name, make, hosts, *count_options, *file_options)
 
 
-swarm_options = _swarm_options("fleet_input", _fleet_input, "N", "Hosts.")
+swarm_options = _swarm_options("fleet_input", _fleet_input, "N", "Number of hosts.")
 several_swarms_options = _swarm_options(
-    "inputs", _fleet_inputs, "N[,N...]", "Hosts; several give a row each."
+    "inputs", _fleet_inputs, "N[,N...]", "Number of hosts; each of several gets its own row."
 )
 
 

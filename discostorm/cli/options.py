@@ -155,7 +155,7 @@ def _wifi_options(make: Callable[..., Wifi], *link_options: str) -> Callable[[An
     links = []
     for option in link_options:
         origin = "channel" if option == "multicast_rate" else "paper"
-        told = f"{option.replace('_', ' ').capitalize()}; default: that of the {origin}."
+        told = f"{option.replace('_', ' ').capitalize()}; default: the {origin}'s."
         unit, flag = LINK_OPTIONS[option][2], f"--{option.replace('_', '-')}"
         links.append(click.option(flag, type=float, metavar=unit, help=told))
     return option_group("wifi", make, channel, *links)

@@ -74,14 +74,14 @@ def _varied_groups(
     "varied",
     _varied_groups,
     click.option(
-        "--hosts", type=float, metavar="N", help="Hosts in your fleet, to see whether they fit."
+        "--hosts", type=float, metavar="N", help="Number of your hosts, to see whether they fit."
     ),
     *fleets.count_options,
     *fleets.file_options,
     click.option("--beside", **options.FILE_ARGS, help="Fleet file of other hosts on the channel."),
 )
 @click.option(
-    "--limit", type=float, default=1.0, show_default=True, help="Utilization to reach, 1 is 100%."
+    "--limit", type=float, default=1.0, show_default=True, help="Utilization to reach; 1 is 100%."
 )
 @options.protocol_option
 @options.wifi_options
@@ -136,7 +136,7 @@ def saturation(
     out.print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
     fleets.print_channels(own, aggregation_bounds(wifi)[1], output)
     if any(row["more_than"] is not None for row in rows):
-        out.print_note('"More than": we captured too few hosts of this kind to say how many more.')
+        out.print_note('"More than": we captured too few hosts of this kind to give a number.')
     if aggregates:
         out.print_note(wording.AGGREGATION_NOTE)
     if fleets.is_all_wired(own):

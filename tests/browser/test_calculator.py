@@ -874,7 +874,7 @@ def in_page_words(line: str) -> str:
     of = r"(parameter services of) .* process( \(assumed\))?"
     line = re.sub(of, r"\1 the robots' nodes", line)
     line = line.replace(" hosts on this channel", " robots on this channel")
-    line = line.replace("beside 1 other host", "beside 1 laptop")
+    line = line.replace("with 1 other host", "with 1 laptop")
     return wording.capitalized(line).replace(" -> ", " → ")
 
 

@@ -215,7 +215,7 @@ def test_a_closed_standard_output_is_told() -> None:
 
 def test_closed_standard_input_and_error_do_no_harm() -> None:
     done = shell("discostorm breakdown - <&-")
-    assert (done.returncode, "- is standard input, which is closed" in done.stderr) == (2, True)
+    assert (done.returncode, "standard input (-) is closed" in done.stderr) == (2, True)
     done = shell("discostorm utilization fleet.toml 2>&-")
     assert (done.returncode, "robots" in done.stdout or "fleet.toml" in done.stdout) == (0, True)
 

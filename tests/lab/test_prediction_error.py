@@ -148,11 +148,11 @@ def test_few_swarms_give_no_interval() -> None:
     assert lab.ratio_interval(ratios) == (1.01, 1.37)
     most = prediction_error.ErrorBand(*lab.ratio_interval(ratios), 0.1, 39, 1, 1, 1)
     assert most.coverage == pytest.approx(0.9)
-    assert most.sentence().startswith("In 37 of 39 swarms within these sizes, ")
+    assert most.sentence().startswith("In 37 of 39 swarms within these sizes that ")
     many = prediction_error.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)
     assert many.coverage == pytest.approx(0.9)
     assert "We expect 90% of such swarms in this range; " in many.sentence()
-    assert "expect a factor of 2, as far as we know" in many.sentence()
+    assert "expect errors of up to a factor of 2" in many.sentence()
 
 
 def test_swarms_of_the_release_that_ros_ships_count_for_the_table_that_stands_for_it() -> None:
@@ -243,7 +243,7 @@ def test_a_plan_tells_its_band_and_how_far_it_was_measured(name: str) -> None:
     assert (wider.low, wider.high) == (float(row["low"]), float(row["high"]))
     plan = ds.plan(ds.Fleet.swarm(12, 1, 10), table)
     told = " ".join(plan.why().split())
-    assert f"{wider.low:.2f} to {wider.high:.2f} times the airtime of the model" in told
+    assert f"{wider.low:.2f} to {wider.high:.2f} times the predicted airtime" in told
     assert plan.to_dict()["band"]["high"] == wider.high
     many = prediction_error.error_band(name, ds.Fleet.swarm(3, 1, 678), table.captured)
     assert many
@@ -319,7 +319,7 @@ def test_no_number_of_hosts_beyond_twice_the_measured_range() -> None:
     most = 2 * ds.PROTOCOLS[asked[-1]].captured[0]  # type: ignore[index]
     told = CliRunner().invoke(main, asked, input=fleet).output
     assert f"more than {most}" in told
-    assert '"More than": we captured too few hosts of this kind to say how many more.' in told
+    assert '"More than": we captured too few hosts of this kind to give a number.' in told
     assert not re.search(r"\b\d{3,}\.\d\d\b", told)
     (row,) = json.loads(CliRunner().invoke(main, [*asked, "--json"], input=fleet).output)
     assert row["more_than"] == most < row["hosts"]

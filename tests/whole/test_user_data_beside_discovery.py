@@ -336,8 +336,8 @@ def test_commands_simulate_data_without_recovery() -> None:
         said = " ".join(
             run("simulate", "-", "--runs", "2", "--until", "3", *options, text=text).split()
         )
-        assert "beside your data, and over after" in said
-        assert "Data until the end of the run, median of the runs:" in said
+        assert "with your data, and over after" in said
+        assert "Data until the end of the run (medians of the runs):" in said
 
 
 def test_simulate_tells_both_and_how_late_data_are() -> None:

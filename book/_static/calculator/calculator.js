@@ -746,7 +746,7 @@
     return {
       ...found,
       group: `${count(hosts)} ${groupName(settings, place, hosts)}`,
-      beside: rest.length ? `, beside ${rest.join(", ")}${last}` : "",
+      beside: rest.length ? `, with ${rest.join(", ")}${last}` : "",
       total: `${count(total)} host${total === 1 ? "" : "s"}`,
     };
   }

@@ -14,7 +14,7 @@ const s11 = "a number of at least 0";
 const s12 = "paper (802.11n)";
 const s13 = "multicast rate";
 const s14 = "sending multicast at 24 instead of 6 Mbit/s";
-const s15 = "both values use standard timing";
+const s15 = "both values use the timing of the 802.11 standard";
 const s16 = 144444444.44444445;
 const s17 = {"R_uni": s16, "O_uni": 0.0001855, "R_multi": 6000000, "O_multi": 0.0001215, "N_DBPS_uni": 520, "N_add_uni": 22, "k_uni": 0.9, "t_grid_uni": 4e-06, "N_DBPS_multi": 24, "N_add_multi": 22, "k_multi": 1, "t_grid_multi": 4e-06};
 const s18 = {"name": s12, "model": "padded", "values": s17};
@@ -126,7 +126,7 @@ const s87 = "failed robots are noticed later, and lost announcements are repeate
 const s88 = "one more program";
 const s89 = "robots need the server's address; ros2 tools must be super clients";
 const s90 = "discovery server on a robot";
-const s91 = "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; a service is two endpoints, as in DDS";
+const s91 = "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; services count as two endpoints, as in DDS";
 const s92 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": s91, "mind": s91};
 const s93 = "another middleware";
 const s94 = "all hosts must change together";
@@ -159,7 +159,7 @@ const s120 = {"efforts": ["radio"], "effort": 6, "takes": s83, "best_case": fals
 const s121 = "all computers need the new ROS release; every package must be rebuilt and retested";
 const s122 = {"efforts": ["upgrade"], "effort": 7, "takes": "another ROS release", "best_case": false, "cost": s121, "mind": s121};
 const s123 = "several more programs";
-const s124 = "discovery is complete no earlier than the last host starts";
+const s124 = "discovery cannot be complete before the last host starts";
 const s125 = {"efforts": ["setting"], "effort": 1, "takes": "a setting", "best_case": false, "cost": s124, "mind": s124};
 const s126 = "every endpoint, ROS 2's own included, must be listed in every file; Fast DDS 2.9.1 can crash";
 const s127 = "hostapd.conf of the access point";
@@ -274,9 +274,9 @@ const s215 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in a
 const s216 = {"measured": "Cyclone DDS", "range": "0.08 to 6.76", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
 const s217 = "--ds-product-cyclone-dds";
 const s218 = [
-[1, 1.67, 11.3, "In 24 swarms within these sizes, which we left out of the fit, discovery took 0.68 to 1.26 times the airtime of the model (typical error 9%). We expect 92% of such swarms in this range"],
-[2, 1.67, 11.3, "In 9 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.94 to 1.44 times the airtime of the model (typical error 16%). We expect 80% of such swarms in this range"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 1.31 to 1.47 times the airtime of the model (typical error 39%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 24 swarms within these sizes that we left out of the fit, discovery took 0.68 to 1.26 times the predicted airtime (typical error 9%). We expect 92% of such swarms in this range"],
+[2, 1.67, 11.3, "In 9 swarms of up to twice these sizes that we left out of the fit, discovery took 0.94 to 1.44 times the predicted airtime (typical error 16%). We expect 80% of such swarms in this range"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 1.31 to 1.47 times the predicted airtime (typical error 39%). With so few swarms, we give no interval"],
 ];
 const s219 = {"until": [s157, [10, "slow at best"], s158], "never": s159};
 const s220 = {"second": 1, "lease": 10, "ever": Infinity};
@@ -326,7 +326,7 @@ const s263 = "the server forwards everything, as in Fast DDS 3.6";
 const s264 = "Cyclone DDS, wired";
 const s265 = "moving to ROS 2 Jazzy (Cyclone DDS)";
 const s266 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
-const s267 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.13 times the airtime of the model (typical error 5%). We expect 75% of such swarms in this range"]];
+const s267 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.95 to 1.13 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
 const s268 = [s163, s167, s165, s224, s226];
 const s269 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s228];
 const s270 = 493.08762420957544;
@@ -351,9 +351,9 @@ const s288 = 232.6802973977695;
 const s289 = 226.06745510293473;
 const s290 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
 const s291 = [
-[1, 1.67, 11.3, "In 26 swarms within these sizes, which we left out of the fit, discovery took 0.72 to 1.32 times the airtime of the model (typical error 9%). We expect 93% of such swarms in this range"],
-[2, 1.67, 11.3, "In 11 swarms of up to twice these sizes, which we left out of the fit, discovery took 1.00 to 1.43 times the airtime of the model (typical error 22%). We expect 83% of such swarms in this range"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 1.28 to 1.48 times the airtime of the model (typical error 38%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 26 swarms within these sizes that we left out of the fit, discovery took 0.72 to 1.32 times the predicted airtime (typical error 9%). We expect 93% of such swarms in this range"],
+[2, 1.67, 11.3, "In 11 swarms of up to twice these sizes that we left out of the fit, discovery took 1.00 to 1.43 times the predicted airtime (typical error 22%). We expect 83% of such swarms in this range"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 1.28 to 1.48 times the predicted airtime (typical error 38%). With so few swarms, we give no interval"],
 ];
 const s292 = 432.2946357085669;
 const s293 = 726.2444541104828;
@@ -368,7 +368,7 @@ const s301 = 133.94982078853047;
 const s302 = 167.8055937643283;
 const s303 = "switching to Cyclone DDS, version 11";
 const s304 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
-const s305 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.94 to 1.33 times the airtime of the model (typical error 5%). We expect 75% of such swarms in this range"]];
+const s305 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.94 to 1.33 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
 const s306 = {"count": "count11", "more": ["more31", "more32", "more2"]};
 const s307 = [s306, s306, s306];
 const s308 = {"count": "count12", "more": ["more33", "more34", "more35"]};
@@ -391,7 +391,7 @@ const s324 = 185.2367491166078;
 const s325 = 147.20074005550418;
 const s326 = 166.51716247139586;
 const s327 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
-const s328 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.91 to 1.10 times the airtime of the model (typical error 8%). We expect 75% of such swarms in this range"]];
+const s328 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.91 to 1.10 times the predicted airtime (typical error 8%). We expect 75% of such swarms in this range"]];
 const s329 = 492.4140969162995;
 const s330 = 1040.4988009592325;
 const s331 = 965.8901890189019;
@@ -418,7 +418,7 @@ const s351 = "middleware and multicast endpoint data";
 const s352 = "one server, wired to the access point (measured with 2.9.1)";
 const s353 = {"measured": s141, "range": "0.99 to 1.63", "hosts": "12", "seconds": "15", "low": "0.99", "high": "1.63"};
 const s354 = "--ds-product-fast-dds";
-const s355 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
+const s355 = [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 1.00 to 1.10 times the predicted airtime (typical error 4%). We expect 71% of such swarms in this range"]];
 const s356 = {"until": [s157, [20, "slow at best"], s158], "never": s159};
 const s357 = {"second": 1, "lease": 20, "ever": Infinity};
 const s358 = {"count": "count13", "more": ["more36", "more37", "more38"]};
@@ -495,7 +495,7 @@ s399,
 ];
 const s401 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
 const s402 = {"measured": "Fast DDS", "range": "0.97 to 2.03", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
-const s403 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
+const s403 = [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 1.00 to 1.05 times the predicted airtime (typical error 2%). We expect 71% of such swarms in this range"]];
 const s404 = [
 [s365, "unicast", 636, 1, 0, 2, "up", s367],
 [s368, "unicast", 700, 1, 0, 2, "down", s369],
@@ -534,9 +534,9 @@ const s409 = "moving to ROS 2 Humble (Fast DDS 2.6)";
 const s410 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
 const s411 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
 const s412 = [
-[1, 1.67, 11.3, "In 11 swarms within these sizes, which we left out of the fit, discovery took 0.91 to 1.04 times the airtime of the model (typical error 3%). We expect 83% of such swarms in this range"],
-[2, 1.67, 11.3, "In 2 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.95 to 1.22 times the airtime of the model (typical error 13%). With so few swarms, we give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 2.06 to 2.29 times the airtime of the model (typical error 118%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 11 swarms within these sizes that we left out of the fit, discovery took 0.91 to 1.04 times the predicted airtime (typical error 3%). We expect 83% of such swarms in this range"],
+[2, 1.67, 11.3, "In 2 swarms of up to twice these sizes that we left out of the fit, discovery took 0.95 to 1.22 times the predicted airtime (typical error 13%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 2.06 to 2.29 times the predicted airtime (typical error 118%). With so few swarms, we give no interval"],
 ];
 const s413 = {"count": "count23", "more": ["more56", "more57", "more8"]};
 const s414 = [s413, s413, s413];
@@ -551,12 +551,12 @@ const s422 = 852.6666666666666;
 const s423 = "Heartbeat for others";
 const s424 = "ACKNACK of data";
 const s425 = "switching to Cyclone DDS";
-const s426 = [[1, 1, 1, "In 19 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.68 times the airtime of the model (typical error 14%). We expect 90% of such swarms in this range"]];
+const s426 = [[1, 1, 1, "In 19 swarms within these sizes that we left out of the fit, discovery took 0.86 to 1.68 times the predicted airtime (typical error 14%). We expect 90% of such swarms in this range"]];
 const s427 = 773.5594083028471;
 const s428 = "ROS discovery info";
 const s429 = "ROS Heartbeat for others";
 const s430 = "ROS ACKNACK for others";
-const s431 = [[1, 1, 1, "In 16 swarms within these sizes, which we left out of the fit, discovery took 0.89 to 1.17 times the airtime of the model (typical error 5%). We expect 88% of such swarms in this range"]];
+const s431 = [[1, 1, 1, "In 16 swarms within these sizes that we left out of the fit, discovery took 0.89 to 1.17 times the predicted airtime (typical error 5%). We expect 88% of such swarms in this range"]];
 const s432 = [s163, s167, s165, s226, s224];
 const s433 = 1014.7323568575234;
 const s434 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
@@ -569,7 +569,7 @@ const s440 = ["announcements", s203, "", "Fast DDS 3.6, a longer announcement in
 const s441 = ["release", s409, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
 const s442 = ["release", s410, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
 const s443 = ["middleware", s207, "", s171, "Fast DDS 3.6", "middleware"];
-const s444 = [[1, 1, 1, "In 64 of 68 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.57 times the airtime of the model (typical error 6%). We expect 91% of such swarms in this range"]];
+const s444 = [[1, 1, 1, "In 64 of 68 swarms within these sizes that we left out of the fit, discovery took 0.90 to 1.57 times the predicted airtime (typical error 6%). We expect 91% of such swarms in this range"]];
 const s445 = [s163, s167, s165, s226, [s225, s225, s225], s224];
 const s446 = 896.8584995251663;
 const s447 = 189.68085535606212;
@@ -602,7 +602,7 @@ const s473 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
 const s474 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
 const s475 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s474];
 const s476 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-const s477 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.31 times the airtime of the model (typical error 5%). We expect 82% of such swarms in this range"]];
+const s477 = [[1, 1, 1, "In 10 swarms within these sizes that we left out of the fit, discovery took 0.95 to 1.31 times the predicted airtime (typical error 5%). We expect 82% of such swarms in this range"]];
 const s478 = [s361, s361, s361];
 const s479 = {"count": "count26", "more": ["more59", "more60"]};
 const s480 = {"count": "count27", "more": ["more61", "more62", "more63"]};
@@ -616,7 +616,7 @@ const s487 = "Listed unicast at discovery";
 const s488 = "Listed unicast for others";
 const s489 = "Listed unicast of endpoints";
 const s490 = "peers, each linked with each other (measured with 1.10.2)";
-const s491 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.12 times the airtime of the model (typical error 8%). We expect 82% of such swarms in this range"]];
+const s491 = [[1, 1, 1, "In 10 swarms within these sizes that we left out of the fit, discovery took 0.86 to 1.12 times the predicted airtime (typical error 8%). We expect 82% of such swarms in this range"]];
 const s492 = [s164, {"count": "count28", "more": ["more64", "more65", "more66"]}, s225];
 const s493 = [s163, s167, s224, s165, s492, s226];
 const s494 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s473];
@@ -638,9 +638,9 @@ const s509 = "TCP ACK at start";
 const s510 = "TCP ACK of endpoints";
 const s511 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
 const s512 = [
-[1, 1.67, 11.3, "In 12 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.41 times the airtime of the model (typical error 6%). We expect 85% of such swarms in this range"],
-[2, 1.67, 11.3, "In 4 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.99 to 1.02 times the airtime of the model (typical error 1%). With so few swarms, we give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 0.93 to 1.15 times the airtime of the model (typical error 11%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 12 swarms within these sizes that we left out of the fit, discovery took 0.90 to 1.41 times the predicted airtime (typical error 6%). We expect 85% of such swarms in this range"],
+[2, 1.67, 11.3, "In 4 swarms of up to twice these sizes that we left out of the fit, discovery took 0.99 to 1.02 times the predicted airtime (typical error 1%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 0.93 to 1.15 times the predicted airtime (typical error 11%). With so few swarms, we give no interval"],
 ];
 const s513 = 179.4287333522244;
 const s514 = 167.6030534351145;
@@ -914,9 +914,9 @@ return {
 "values": {"R_uni": 144400000, "O_uni": 0.00018, "R_multi": 6000000, "O_multi": 0.00012},
 "remedies": [
 {"kind": s13, "what": s14, "note": s15, "base": s18, "wifi": {"name": s19, "model": "padded", "values": s20}},
-{"kind": "radio", "what": s21, "note": "compared with 802.11n 20 MHz 2x2: 300 instead of 144 Mbit/s and 186 µs of overhead per frame exchange. Both values use standard timing", "base": s18, "wifi": s24},
-{"kind": "radio", "what": s25, "note": "compared with 802.11n 20 MHz 2x2: 867 instead of 144 Mbit/s and 190 instead of 186 µs of overhead per frame exchange. Both values use standard timing", "base": s18, "wifi": s29},
-{"kind": "radio", "what": s30, "note": "compared with 802.11n 20 MHz 2x2: 2402 instead of 144 Mbit/s and 196 instead of 186 µs of overhead per frame exchange. Both values use standard timing", "base": s18, "wifi": s34},
+{"kind": "radio", "what": s21, "note": "compared with 802.11n 20 MHz 2x2: 300 instead of 144 Mbit/s and 186 µs of overhead per frame exchange. Both values use the timing of the 802.11 standard", "base": s18, "wifi": s24},
+{"kind": "radio", "what": s25, "note": "compared with 802.11n 20 MHz 2x2: 867 instead of 144 Mbit/s and 190 instead of 186 µs of overhead per frame exchange. Both values use the timing of the 802.11 standard", "base": s18, "wifi": s29},
+{"kind": "radio", "what": s30, "note": "compared with 802.11n 20 MHz 2x2: 2402 instead of 144 Mbit/s and 196 instead of 186 µs of overhead per frame exchange. Both values use the timing of the 802.11 standard", "base": s18, "wifi": s34},
 {"kind": "aggregation", "what": "aggregating up to 64 frames", "note": s15, "base": s18, "wifi": s35},
 ],
 },
@@ -1191,14 +1191,14 @@ return {
 "robots lose": "Robots' queues drop {lost} of all messages, more than {protocol} can resend.",
 "air loses": "Collisions cost {lost} of all messages, more than {protocol} can resend in time.",
 "leases end": "Leases expire meanwhile, so robots forget each other.",
-"data fits": "Your data fit: after discovery, data and periodic traffic together need {airtime} of airtime a second.",
-"data may fit": "Your data fit only if A-MPDUs are full: after discovery, data and periodic traffic together then need {airtime} of airtime a second.",
-"data does not fit": "Your data do not fit: even after discovery, data and periodic traffic together need {airtime} of airtime a second. First step: send fewer samples, or send them to fewer hosts.",
+"data fits": "Your data fit: after discovery, data and periodic traffic together need {airtime} of airtime per second.",
+"data may fit": "Your data fit only if A-MPDUs are full: after discovery, data and periodic traffic together then need {airtime} of airtime per second.",
+"data does not fit": "Your data do not fit: even after discovery, data and periodic traffic together need {airtime} of airtime per second. First step: send fewer samples, or send them to fewer hosts.",
 "first": "First step:",
-"covered": "What makes us surer that it works, least effort first:",
+"covered": "To be sure, make one of these changes, least effort first:",
 "faster": "Faster still, least effort first:",
 "then": "Or:",
-"shorter": "Faster, but not enough within {within}:",
+"shorter": "Faster, but not complete within {within}:",
 "not sure either": "Faster in simulations, but perhaps not enough:",
 "none helps": "None of the {count} simulated changes helps by more than the scatter between runs.",
 "none known": "No change that we could simulate helps.",
@@ -1206,22 +1206,22 @@ return {
 "leases": "{time}, but leases expire in {forgetful} of {runs} runs",
 "enough": "{time}; {least} if all are composed into 1",
 "doubtful": " Not sure: {caution}.",
-"perhaps": " Probably enough: in reality up to {slow}.",
+"perhaps": " Probably enough: real runs may take up to {slow}.",
 "slower": "real {measured} took up to {times} times as long as simulated in an emulated Wi-Fi cell, which would be {slow}",
-"slower elsewhere": "real runs may take up to {times} times as long ({slow}), as far as we know; we compared none",
-"easier": "Less effort, but not enough within {within}:",
-"easier, perhaps": "Less effort, but perhaps not enough within {within}:",
-"fewer": "start no more than {count} of the {group} on this channel{beside}. These {total} discover each other after {time}. Whether the others can start later was not simulated.",
+"slower elsewhere": "real runs, which we did not compare, may take up to {times} times as long ({slow})",
+"easier": "Less effort, but not complete within {within}:",
+"easier, perhaps": "Less effort, but perhaps not complete within {within}:",
+"fewer": "start no more than {count} of the {group} on this channel{beside}. These {total} discover each other after {time}. We did not simulate whether the others can start later.",
 "stopgap": "First step: {fewer}",
 "until then": "Until then, {fewer}",
 "changes": "Then make one change that is enough for discovery:",
-"none near": "No simulated change lets half of the pairs know each other within {until}.",
+"none near": "With no simulated change do half of the pairs know each other within {until}.",
 "paste": " Configuration: --paste {name}.",
-"closed form": "Ranked by airtime saved, as discovery times were not simulated:",
+"closed form": "Ranked by airtime saved, because discovery times were not simulated:",
 "drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
 "none ends": "No change is enough: after each one, periodic traffic alone fills the channel.",
-"possible": "May help, but we do not simulate how they repair losses: {names}.",
-"bounds": "Unknown, because we do not simulate how they repair losses: {names}.",
+"possible": "These may help, but we do not simulate how they repair losses: {names}.",
+"bounds": "Unknown, because we do not simulate how these changes repair losses: {names}.",
 "parts": "After these changes, some robots no longer discover each other: {names}.",
 "domains": "Domains share the channel: we simulate one of them on a channel slowed down by the airtime of the others. Real times are longer, because messages of different domains also collide and share the access point's queue.",
 "others": "Did not help by more than the scatter between runs: {names}.",
@@ -1231,8 +1231,8 @@ return {
 "some leases": "leases expire in {forgetful} of {runs} runs",
 "lost": "{lost} of the messages lost, and no repairs simulated",
 "reboot": "If one robot reboots, all others rediscover it {time} after its nodes start, and {kept}.",
-"kept": "no lease of theirs expires",
-"not kept": "leases of theirs expire in {forgetful} of {runs} runs",
+"kept": "none of their leases expires",
+"not kept": "some of their leases expire in {forgetful} of {runs} runs",
 "no robot rebooted": "No reboot was simulated, as not every startup finishes.",
 "sure": "How sure: {runs} of {until} with fixed seeds.",
 "ranges": "Ranges span {interval}.",
@@ -1251,16 +1251,16 @@ return {
 "extrapolated": "{protocol} was measured with up to {hosts}; for larger fleets, we extrapolate.",
 "air": "With up to {hosts} hosts in an emulated Wi-Fi cell, real {measured} took {range} times as long as simulated.",
 "watched": "We watched real startups for at most {seconds} s, so we extrapolate longer times.",
-"not compared": "Real runs may take up to {high} times as long, as far as we know: we compared none.",
-"server not compared": "Real startups with a server or router may take up to {high} times as long, as far as we know: we compared none.",
+"not compared": "Real runs, which we did not compare, may take up to {high} times as long.",
+"server not compared": "Real startups with a server or router, which we did not compare, may take up to {high} times as long.",
 "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
 "cell": "{cell}: the startup needs {airtime} of airtime in its first second.",
-"assumed of cells": "Assumes: all robots in range of their access points, a common start unless stated, queues of 500 messages. Cells do not interfere, and messages between access points take no time. Other radios and channels are not compared: change the fleet file, and plan again.",
+"assumed of cells": "Assumes: all robots in range of their access points, a common start unless stated, queues of 500 messages. Cells do not interfere, and messages between access points take no time. We do not compare other radios and channels: change the fleet file, and plan again.",
 "surer": "To check, record one startup: `discostorm capture`.",
 "why": "`--why` adds drain time, airtime, configurations and assumptions; `--all` lists all changes.",
 "searching": "Next we check how many robots can start unchanged, and look for smaller changes that suffice.",
 "not known again": "Not after a reboot: if one robot reboots, not all others rediscover it within the simulated time.",
-"no reboot": "Not sure: we simulate a reboot only if every startup is complete before it.",
+"no reboot": "Not sure: we simulate a reboot only if every startup has finished before it.",
 "other start": "Changes are compared for robots that start together.",
 "never fits": "The periodic traffic alone needs {share} of the channel, so the fleet never fits, however slowly it starts.",
 "drain time": "Drain time: {busy}. Discovery can be complete sooner, because dropped messages need no airtime and the last repeats come after discovery.",
@@ -1276,7 +1276,7 @@ return {
 "beyond captures": "Here, we extrapolate.",
 "as the paper": "{name} counts {names} as the paper does. It leaves out the messages that the product packs together or adds.",
 "whole burst": "We count the whole burst within {window}, and periodic traffic at its average rate. The result is an upper bound.",
-"standard timing": "We compare radio changes under standard timing. With this timing, the airtime of this fleet is {airtime} today.",
+"standard timing": "We compare radio changes with the timing of the 802.11 standard. With it, the airtime of this fleet is {airtime} today.",
 "nothing to write": "Your startup already works, so nothing needs changing, and we wrote no files. To write the configuration of a change all the same, name it: --paste NAME.",
 "nothing written": "--write: no configuration change is surely enough, so we wrote no files. See what helps without --write, then name a change: --paste NAME",
 },
@@ -1288,7 +1288,7 @@ return {
 "topology": "one access point, infrastructure",
 "limit": 1,
 "told": 2,
-"beyond": "; this fleet is larger, so expect a factor of 2, as far as we know",
+"beyond": "; this fleet is larger, so expect errors of up to a factor of 2",
 "times": [[0, 1e-06, "µs"], [0.001, 0.001, "ms"], [0.1, 1, "s"], [100, 60, "minutes"], [6000, 3600, "hours"], [172800, 86400, "days"], [60480000, 31557600, "years"]],
 "airtime": {"inside": {"up": s78, "multicast": "inside_multicast", "unicast": s78}, "linear": {"up": s79, "multicast": "linear_multicast", "unicast": s79}, "padded": {"up": s80, "multicast": s81, "unicast": s80}, "aggregated": {"up": s82, "multicast": s81, "unicast": s82}},
 "laptop_nodes": 2,
@@ -1329,7 +1329,7 @@ return {
 "takes": s98,
 "best_case": false,
 "cost": "all hosts must change together; robots need the router's address; all data pass through it",
-"mind": "all hosts must change together; robots need the router's address; all data pass through it; robots hear nothing until 2.2 s after the router is back, if it was killed (lease of 10 s)",
+"mind": "all hosts must change together; robots need the router's address; all data pass through it; if the router fails, robots hear nothing until 2.2 s after the router is back (10 s lease)",
 },
 "None": null,
 },
@@ -1344,7 +1344,7 @@ return {
 "takes": s108,
 "best_case": false,
 "cost": "all hosts must change together; every router needs the addresses of all other routers",
-"mind": "all hosts must change together; every router needs the addresses of all other routers; a robot whose router is down hears no other robot until 4.2 s after the router is back",
+"mind": "all hosts must change together; every router needs the addresses of all other routers; if a robot's router fails, the robot hears no other robot until 4.2 s after the router is back",
 },
 "None": null,
 },
@@ -1396,7 +1396,7 @@ return {
 "takes": s88,
 "best_case": false,
 "cost": "robots need the router's address; all data pass through it",
-"mind": "robots need the router's address; all data pass through it; robots hear nothing until 2.2 s after the router is back, if it was killed (lease of 10 s)",
+"mind": "robots need the router's address; all data pass through it; if the router fails, robots hear nothing until 2.2 s after the router is back (10 s lease)",
 },
 "None": null,
 },
@@ -1405,7 +1405,7 @@ return {
 "steps": [s106],
 "of": {
 "DDS": null,
-"Zenoh": {"efforts": ["servers"], "effort": 4, "takes": s123, "best_case": false, "cost": "every router needs the addresses of all other routers", "mind": "every router needs the addresses of all other routers; a robot whose router is down hears no other robot until 4.2 s after the router is back"},
+"Zenoh": {"efforts": ["servers"], "effort": 4, "takes": s123, "best_case": false, "cost": "every router needs the addresses of all other routers", "mind": "every router needs the addresses of all other routers; if a robot's router fails, the robot hears no other robot until 4.2 s after the router is back"},
 "None": null,
 },
 },
@@ -2262,7 +2262,7 @@ s249,
 "has_server": false,
 "color": s354,
 "measured": [8, 8, 10],
-"band": [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 0.97 to 1.16 times the airtime of the model (typical error 3%). We expect 71% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 0.97 to 1.16 times the predicted airtime (typical error 3%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
@@ -2851,7 +2851,7 @@ s508,
 "has_server": true,
 "color": s521,
 "measured": [8, 12, 10],
-"band": [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.84 to 1.18 times the airtime of the model (typical error 10%). We expect 75% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.84 to 1.18 times the predicted airtime (typical error 10%). We expect 75% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -2925,7 +2925,7 @@ s540,
 "has_server": false,
 "color": s521,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 11 swarms within these sizes, which we left out of the fit, discovery took 0.84 to 1.25 times the airtime of the model (typical error 2%). We expect 83% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 11 swarms within these sizes that we left out of the fit, discovery took 0.84 to 1.25 times the predicted airtime (typical error 2%). We expect 83% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -2986,7 +2986,7 @@ s540,
 "has_server": true,
 "color": s521,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 0.85 to 1.18 times the airtime of the model (typical error 15%). We expect 71% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 0.85 to 1.18 times the predicted airtime (typical error 15%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,

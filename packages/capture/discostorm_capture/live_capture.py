@@ -64,8 +64,8 @@ class PacketStream:
     def error_if_ended(self) -> str:
         """The error message if the stream ends now; "" if that is no error."""
         if not self.header:
-            return f"{self.name}: it ended before a packet came; is the program before it running?"
-        return f"{self.name}: it ended inside of a packet" if self._rest else ""
+            return f"{self.name}: it ended before a packet came; is its source running?"
+        return f"{self.name}: it ended within a packet" if self._rest else ""
 
 
 class Watch:

@@ -37,39 +37,39 @@ def diagnosis(name: str) -> Diagnosis:
     [
         (
             "wrong_netmask",
-            "10.77.0.2: does not answer ARP: either its netmask or its route is wrong",
+            "10.77.0.2 does not answer ARP: either the netmask or route is wrong there",
             "10.77.0.3 asked 12 times by ARP for 10.77.0.2 and got no answer",
             "On 10.77.0.2, compare `ip address`",
         ),
         (
             "wrong_gateway",
-            "10.77.0.130: does not answer ARP: either its netmask or its route is wrong",
+            "10.77.0.130 does not answer ARP: either the netmask or route is wrong there",
             "10.77.0.130 asked 9 times by ARP for 10.77.0.129 and got no answer",
             "On 10.77.0.130, compare `ip address`",
         ),
         (
             "behind_nat",
-            "10.77.0.3: announces an address from which no packet comes",
+            "10.77.0.3 announces an address from which no packet comes",
             "10.77.0.3 announces itself as 172.17.0.2",
             "If ROS 2 runs in a container there, start the container with `docker run "
             "--network host`",
         ),
         (
             "smaller_mtu",  # the bridge dropped packets of more than 1,280 bytes
-            "10.77.0.2 and 10.77.0.3: large packets vanish between these hosts",
+            "large packets between 10.77.0.2 and 10.77.0.3 vanish",
             "packets of up to 1,264 bytes arrive, but none of 1,284 bytes or more",
             "Find the largest packet that passes",
         ),
         (
             "zenoh_black_hole",  # after 700 bytes of TCP to each of the others
-            "10.77.0.3: either a firewall or the network drops the packets of open TCP",
+            "either a firewall or the network drops packets of open TCP connections with 10.77.0.3",
             "10.77.0.3 to 10.77.0.1 (57 bytes, first sent after 0.0 s)",
             "While packets vanish, `ping` the others from 10.77.0.3",
         ),
         (
             "zenoh_wrong_port",
-            "10.77.0.3: the wrong port or transport is set for the server or router",
-            "10.77.0.3 asked 10.77.0.1 at port 7448 (4 refused), where port 7447 answers",
+            "10.77.0.3 uses the wrong port or transport for the server or router",
+            "10.77.0.3 asked 10.77.0.1 at port 7448 (4 refused), but port 7447 answers there",
             "Correct the port on 10.77.0.3",
         ),
     ],
@@ -112,7 +112,7 @@ def test_a_discovery_server_on_another_port_is_named_with_both_ports() -> None:
     first = found.findings[0]
     assert (first.kind, first.hosts) == ("wrong port", ("10.77.0.3",))
     assert first.evidence.startswith("10.77.0.3 asked 10.77.0.101 at port 11812 (1 host sent it ")
-    assert first.evidence.endswith(", where port 11811 answers")
+    assert first.evidence.endswith(", but port 11811 answers there")
 
 
 def segment(time: float, size: int, sequence: int, acknowledges: int, flags: int = 0x18,
@@ -141,4 +141,4 @@ def test_only_large_segments_of_tcp_vanish(lost: int, kinds: list[str]) -> None:
 def test_a_restart_is_the_headline_of_a_restart() -> None:
     path = REFERENCE / "captures" / "ills" / "restart-cyclone_dds_0_10.pcap.xz"
     said = ds.read_capture(path).diagnosis().summary()
-    assert said.startswith("10.77.0.2: a process ended and started again. Discovery is healthy")
+    assert said.startswith("A process on 10.77.0.2 ended and started again. Discovery is healthy")

@@ -65,7 +65,7 @@ def test_missing_hosts_come_first() -> None:
     diagnosis = ds.read_capture(path).diagnosis(("10.77.0.1", "10.77.0.5"))
     assert diagnosis.findings[0].kind == "missing"
     assert diagnosis.summary().startswith(
-        "Discovery is not healthy: 10.77.0.5: expected, but missing"
+        "Discovery is not healthy: 10.77.0.5 is expected, but missing"
     )
 
 

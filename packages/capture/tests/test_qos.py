@@ -66,7 +66,7 @@ def test_a_cut_announcement_is_unknown_and_never_healthy(tmp_path: Path) -> None
     assert diagnosis.healthy is None
     assert "QoS unknown" in {finding.kind for finding in diagnosis.findings}
     assert "healthy" not in diagnosis.summary()
-    assert "endpoints are cut or cannot be read. Record whole packets" in diagnosis.summary()
+    assert "endpoints are truncated or unreadable. Record whole packets" in diagnosis.summary()
 
 
 def test_the_staged_capture_is_whole() -> None:

@@ -899,7 +899,7 @@ def test_packets_are_those_written_to_the_file(
     for place in (len(content) - 1, table["at"][400] + 9, len(content) // 2):
         path.write_bytes(content[:place])
         whole = sum(end <= place for end in ends)
-        with pytest.raises(CaptureError, match="cut or broken") as error:
+        with pytest.raises(CaptureError, match="truncated or broken") as error:
             files.read_packets(path)
         # Where the header of the first that is not whole stands.
         assert f": byte {table['at'][whole] - header}: " in str(error.value)
@@ -970,23 +970,23 @@ NG = pcapng(packets("cyclone_dds_010"))
         (b"\xd4\xc3", "neither"),
         (b"# a text file", "neither a pcap nor a pcapng file; it starts with 23 20 61 20"),
         (PLAIN[:20], "byte 20: it ends inside its header"),
-        (PLAIN[:-1], "packet 69 is cut"),
-        (PLAIN + b"x", "is cut or broken"),
-        (PLAIN[:32] + b"\xff\xff\xff\x7f" + PLAIN[36:], "byte 24: packet 1 is cut or broken"),
-        (NG[:-3], "is cut or broken"),
+        (PLAIN[:-1], "packet 69 is truncated"),
+        (PLAIN + b"x", "is truncated or broken"),
+        (PLAIN[:32] + b"\xff\xff\xff\x7f" + PLAIN[36:], "byte 24: packet 1 is truncated or broken"),
+        (NG[:-3], "is truncated or broken"),
         (NG[:8] + bytes(4) + NG[12:], "byte 0: a section without a byte order"),
-        (NG[:4] + bytes(4) + NG[8:], "byte 0: a block of 0 bytes is cut or broken"),
+        (NG[:4] + bytes(4) + NG[8:], "byte 0: a block of 0 bytes is truncated or broken"),
         (NG[:28] + NG[60:], "a packet of an undefined interface"),
         (gzip.compress(PLAIN)[:-9], "compressed data"),
         (lzma.compress(PLAIN)[:-9], "compressed data"),
         (gzip.compress(PLAIN) + b"more", "compressed data"),
         (gzip.compress(b"not a capture"), "neither a pcap nor a pcapng file"),
         (gzip.compress(b""), "it is empty"),
-        (bz2.compress(PLAIN), "compressed by bzip2: expand it first"),
-        (b"\x28\xb5\x2f\xfd" + PLAIN, "compressed by zstd: expand it first"),
-        (b"\x04\x22\x4d\x18" + PLAIN, "compressed by lz4: expand it first"),
-        (gzip.compress(b"PK\x03\x04" + PLAIN), "compressed by zip: expand it first"),
-        (lzma.compress(PLAIN[:24] + bytes(200_000_000), preset=0), "expands to more than"),
+        (bz2.compress(PLAIN), "compressed by bzip2: decompress it first"),
+        (b"\x28\xb5\x2f\xfd" + PLAIN, "compressed by zstd: decompress it first"),
+        (b"\x04\x22\x4d\x18" + PLAIN, "compressed by lz4: decompress it first"),
+        (gzip.compress(b"PK\x03\x04" + PLAIN), "compressed by zip: decompress it first"),
+        (lzma.compress(PLAIN[:24] + bytes(200_000_000), preset=0), "decompresses to more than"),
     ],
     # Not the bytes of the files: those of gzip hold the time.
     ids=lambda value: value.split(";")[0] if isinstance(value, str) else "file",
@@ -1026,7 +1026,7 @@ def test_streams_are_read_to_their_end(tmp_path: Path) -> None:
         written.result()
     done = CliRunner().invoke(main, ["capture", "-", "--json"], input=PLAIN)
     assert json.loads(done.output)["packets"] == 69
-    for content, words in ((PLAIN[:-1], "packet 69 is cut"), (b"", "it is empty")):
+    for content, words in ((PLAIN[:-1], "packet 69 is truncated"), (b"", "it is empty")):
         with pytest.raises(CaptureError, match=words):
             read_capture(io.BytesIO(content))
     done = CliRunner().invoke(main, ["capture", "-", "--fleet", "-"], input=PLAIN)

@@ -27,43 +27,43 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
     [
         (
             "one_without_server",
-            "10.77.0.3: different discovery method than the other hosts",
-            "By multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and 10.77.0.2",
+            "10.77.0.3 uses a different discovery method than the other hosts",
+            "Discovery by multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and",
             "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
         ),
         (
             "peer_beside_router",
-            "10.77.0.3: different discovery method than the other hosts",
-            "By multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and 10.77.0.2",
+            "10.77.0.3 uses a different discovery method than the other hosts",
+            "Discovery by multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and",
             "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
         ),
         (
             "two_servers",
-            "10.77.0.3: different server or router than the other hosts",
+            "10.77.0.3 uses a different server or router than the other hosts",
             "10.77.0.1, 10.77.0.101 and 10.77.0.2; 10.77.0.102 and 10.77.0.3",
             "list the same servers, in the same order",
         ),
         (
             "two_routers",
-            "10.77.0.3: different server or router than the other hosts",
+            "10.77.0.3 uses a different server or router than the other hosts",
             "10.77.0.1, 10.77.0.101 and 10.77.0.2; 10.77.0.102 and 10.77.0.3",
             "link the Zenoh routers",
         ),
         (
             "peers_in_two_groups",
-            "10.77.0.3 and 10.77.0.4: neither searches for the other hosts by multicast nor lists",
+            "10.77.0.3 and 10.77.0.4 neither search for the other hosts by multicast nor list",
             "10.77.0.1 and 10.77.0.2; 10.77.0.3 and 10.77.0.4: no host of one group sends",
             "list 10.77.0.3 and 10.77.0.4 as peers on the other hosts",
         ),
         (
             "other_base_port",
-            "10.77.0.3: different multicast address or port than the other hosts",
+            "10.77.0.3 uses a different multicast address or port than the other hosts",
             "10.77.0.3 sends to 239.255.0.1, port 7500",
             "Give 10.77.0.3 the same multicast address and ports",
         ),
         (
             "other_group",
-            "10.77.0.3: different multicast address or port than the other hosts",
+            "10.77.0.3 uses a different multicast address or port than the other hosts",
             "10.77.0.3 sends to 239.255.0.2, port 7400",
             "Give 10.77.0.3 the same multicast address and ports",
         ),
@@ -75,97 +75,97 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "copied_profile",
-            "10.77.0.2 and 10.77.0.3: either these hosts use the same id",
+            "10.77.0.2 and 10.77.0.3 use the same id: either other hosts take them",
             "10.77.0.2 and 10.77.0.3 use the same id, 426f74000001000000000002",
             "or the `prefix` from the Fast DDS profile (a copied file)",
         ),
         (
             "ports_above_7411",
-            "10.77.0.2: a firewall leaves too few ports open",
+            "a firewall on 10.77.0.2 leaves too few ports open",
             "other hosts send to ports 7410, 7411 and 7412",
             "On 10.77.0.2, check `ufw status`",
         ),
         (
             "security_on_one",
-            "10.77.0.2: DDS Security is on here and off elsewhere",
+            "DDS Security is on at 10.77.0.2 and off elsewhere",
             "DDS Security is on at 10.77.0.2, and off at 10.77.0.1 and 10.77.0.3",
             "Compare ROS_SECURITY_ENABLE",
         ),
         (
             "loopback_locators",
-            "10.77.0.1, 10.77.0.3 and 10.77.0.2: announces only a loopback address",
+            "10.77.0.1, 10.77.0.3 and 10.77.0.2 announce only a loopback address",
             "10.77.0.1 announces itself as 127.0.0.1",
             "In Zenoh, set listen/endpoints",
         ),
         (
             "no_incoming_tcp",
-            "10.77.0.3 and 10.77.0.2: a firewall drops TCP connections, although UDP gets through",
+            "a firewall drops TCP connections with 10.77.0.3 and 10.77.0.2, although UDP",
             "10.77.0.2 calls 10.77.0.3 1 time and 10.77.0.3 calls 10.77.0.2 1 time",
             "On 10.77.0.3 and 10.77.0.2, check `ufw status`",
         ),
         (
             "data_port_closed",
-            "10.77.0.2: receives discovery but no data",
+            "10.77.0.2 receives discovery messages but no data",
             "confirmed none of",
             "On 10.77.0.2, check `ufw status`",
         ),
         (
             "watch_firewall",  # from 30 s on
-            "10.77.0.2: still sends, but no longer answers any host",
+            "10.77.0.2 still sends, but no longer answers any host",
             "10.77.0.2 keeps sending, but confirmed nothing after 2",
             "On 10.77.0.2, check `ufw status`",
         ),
         (
             "fragments_dropped",
-            "10.77.0.1 and 10.77.0.2: large packets vanish between these hosts",
+            "large packets between 10.77.0.1 and 10.77.0.2 vanish",
             "none of 1,500 bytes or more",
             "Find the largest packet that passes",
         ),
         (
             "udp_instead_of_tcp",
-            "10.77.0.3: the wrong port or transport is set for the server or router",
+            "10.77.0.3 uses the wrong port or transport for the server or router",
             "10.77.0.3 asked 10.77.0.101 at port 7447 by UDP",
             "Correct the port on 10.77.0.3 (and tcp/, udp/ or tls/)",
         ),
         (
             "peers_without_index",
-            "10.77.0.1, 10.77.0.2 and 10.77.0.3: search for each other at ports that",
+            "10.77.0.1, 10.77.0.2 and 10.77.0.3 search for each other at ports that",
             "search for each other at ports 7410 to 7426, and each replies that no process uses",
             "Set ParticipantIndex to auto on all hosts",
         ),
         (
             "older_zenoh",
-            "10.77.0.3: speaks another version of Zenoh's protocol",
+            "10.77.0.3 speaks another version of Zenoh's protocol",
             "Zenoh's protocol: version 8 there, 9 at 10.77.0.101",
             "Install one release of Zenoh",
         ),
         (
             "router_between",
-            "10.78.0.3: not in the subnet of the other hosts",
+            "10.78.0.3 is not in the subnet of the other hosts",
             "announce themselves from different networks",
             "Give all hosts addresses in one subnet",
         ),
         (
             "pruned_peer",  # the other host had given up before
-            "10.77.0.2: neither searches for the other hosts by multicast nor lists them as peers",
-            "10.77.0.2 began after 43.3 s, and 10.77.0.1 sends nothing to it since 0.2 s",
+            "10.77.0.2 neither searches for the other hosts by multicast nor lists them as peers",
+            "10.77.0.2 started after 43.3 s, and 10.77.0.1 has sent nothing to it since 0.2 s",
             "list 10.77.0.2 as peers on the other hosts",
         ),
         (
             "one_client_lists_number_1",
-            "10.77.0.3: asks for a different number than the server there has",
-            "with another id than the one that answers 10.77.0.1 and 10.77.0.2",
+            "10.77.0.3 asks for a different server number than the server has",
+            "with another id than the server that answers 10.77.0.1 and 10.77.0.2",
             "In ROS_DISCOVERY_SERVER on 10.77.0.3, put the server's address at the position",
         ),
         (
             "client_behind_firewall",
-            "10.77.0.2: receives no unicast, because either its firewall or the network drops it",
+            "10.77.0.2 receives no unicast, because either a firewall there or the network",
             "10.77.0.2 keeps asking its server for data, but has confirmed none of",
             "On 10.77.0.2, check `ufw status`",
         ),
         (
             "tls_on_one",
-            "10.77.0.3: the wrong port or transport is set for the server or router",
+            "10.77.0.3 uses the wrong port or transport for the server or router",
             "10.77.0.3 opened 3 connections to 10.77.0.101 at port 7447",
             "Correct the port on 10.77.0.3 (and tcp/, udp/ or tls/)",
         ),
@@ -177,49 +177,49 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "jumbo_frames",
-            "10.77.0.1 and 10.77.0.2: large packets vanish between these hosts",
-            "10.77.0.2 asked 10.77.0.1 for samples 6 times, but the capture has none",
+            "large packets between 10.77.0.1 and 10.77.0.2 vanish",
+            "10.77.0.2 asked 10.77.0.1 for samples 6 times, but the capture contains none",
             "Find the largest packet that passes",
         ),
         (
             "server_number",
-            "10.77.0.101: the server or router that others look for at this address does not",
+            "the server or router that others look for at 10.77.0.101 does not",
             "10.77.0.101 at port 11811: 3 hosts sent it",
             "its number (`fastdds discovery -i`) must be its position in that list",
         ),
         (
             "no_password",
-            "10.77.0.3: a router or peer closes each Zenoh session before it is open",
+            "a router or peer closes every Zenoh session of 10.77.0.3 before it is open",
             "10.77.0.3 opened 8 connections to 10.77.0.101 at port 7447, and each was closed",
             "Compare 10.77.0.3 with a host that works: user and password",
         ),
         (
             "nothing_between_two",
-            "10.77.0.3 and 10.77.0.4: some pairs of these hosts do not hear each other",
+            "10.77.0.3 and 10.77.0.4 do not all hear each other",
             "10.77.0.3 never answered 10.77.0.4 and 10.77.0.4 never answered 10.77.0.3",
             "Run `ping` from one of these hosts to the other",
         ),
         (
             "network_splits",  # from 14 s on
-            "10.77.0.1, 10.77.0.2, 10.77.0.3 and 10.77.0.4: some pairs of these hosts do not hear",
+            "10.77.0.1, 10.77.0.2, 10.77.0.3 and 10.77.0.4 do not all hear each other",
             "10.77.0.1 keeps sending, but confirmed nothing after 12.4 s, though 10.77.0.3 sent",
             "Run `ping` from one of these hosts to the other",
         ),
         (
             "server_allow_list",
-            "10.77.0.3: gets no answer from a server or router that answers other hosts",
-            "without an answer, while it answers 10.77.0.1 and 10.77.0.2",
+            "10.77.0.3 gets no answer from a server or router that answers other hosts",
+            "without an answer, although 10.77.0.101 answers 10.77.0.1 and 10.77.0.2",
             "allow 10.77.0.3 in the server's firewall",
         ),
         (
             "router_allow_list",
-            "10.77.0.3: gets no answer from a server or router that answers other hosts",
+            "10.77.0.3 gets no answer from a server or router that answers other hosts",
             "10.77.0.3 called 10.77.0.101 3 times at port 7447 by TCP without an answer",
             "allow 10.77.0.3 in the server's firewall",
         ),
         (
             "tcp_is_rejected",
-            "10.77.0.2 and 10.77.0.3: a firewall drops TCP connections, although UDP gets through",
+            "a firewall drops TCP connections with 10.77.0.2 and 10.77.0.3, although UDP",
             "at the announced port, without an answer",
             "On 10.77.0.2 and 10.77.0.3, check `ufw status`",
         ),
@@ -238,13 +238,13 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "other_scouting_port",
-            "10.77.0.3: different multicast address or port than the other hosts",
+            "10.77.0.3 uses a different multicast address or port than the other hosts",
             "10.77.0.3 sends to 224.0.0.224, port 7450",
             "(Zenoh: scouting/multicast/address)",
         ),
         (
             "two_processes_one_id",
-            "10.77.0.2: two processes there use the same id, so others take them for one",
+            "two processes on 10.77.0.2 use the same id, so others take them for one process",
             "others send to the one known process there at 2 ports",
             "or the `prefix` from the Fast DDS profile (a copied file)",
         ),
@@ -269,28 +269,28 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
     [
         (
             "peer_typing_error",
-            "10.77.0.33: other hosts look for this address, but no host has it.",
+            "Other hosts look for 10.77.0.33, but no host has this address.",
             "If 10.77.0.33 should exist, check that it is on and in this network",
         ),
         (
             "other_namespace",
-            "A topic or service has one name at one end and another name at the other",
+            "A topic or service has different names at its two ends",
             "Compare the names of both ends",
         ),
         (
             "rviz_as_peer",
-            "10.77.0.2: a peer whose router announces no endpoint to it",
+            "10.77.0.2 is a peer whose router announces no endpoint to it",
             "If other nodes run, set mode to client on 10.77.0.2",
         ),
         (
             "server_away",
-            "10.77.0.101: the server or router did not answer for a while",
+            "The server or router on 10.77.0.101 did not answer for a while",
             "Keep the server at 10.77.0.101 running",
         ),
         (
             "robot_router_dies",
-            "10.77.0.2: a process went silent without a goodbye.",
-            "Check the log of 10.77.0.2 from then on for a crash",
+            "A process on 10.77.0.2 went silent without a goodbye.",
+            "Check the log of 10.77.0.2 for a crash",
         ),
     ],
 )
@@ -326,14 +326,14 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
     [
         (
             "small_socket_buffer",
-            "complete and over, but not healthy: 10.77.0.2: loses only parts of large samples",
-            "10.77.0.2 asked 6 times for parts of large samples, and for no small ones",
+            "complete and over, but not healthy: 10.77.0.2 loses only parts of large samples",
+            "10.77.0.2 asked 6 times for parts of large samples, but for no small samples",
             "On 10.77.0.2, raise net.core.rmem_max",
         ),
         (
             "shell_loop",
-            "complete, but not healthy and not over: 10.77.0.1: a process starts again and again",
-            "10.77.0.1: 7 times, a process began and said goodbye, about every 2.6 s",
+            "complete, but not healthy and not over: a process on 10.77.0.1 starts again and again",
+            "10.77.0.1: a process started and said goodbye 7 times, about every 2.6 s",
             "Look at the log of the process that restarts on 10.77.0.1",
         ),
         (
@@ -362,7 +362,7 @@ def test_who_has_one_peer_only_may_not_know_the_others() -> None:
     found = diagnosis("star_of_peers")
     assert found.healthy is None
     assert "10.77.0.2, 10.77.0.3 and 10.77.0.4 never ask for each other's" in found.summary()
-    assert "If it was recorded on 10.77.0.1, record on the access point" in found.summary()
+    assert "If you recorded on 10.77.0.1, record on the access point" in found.summary()
     assert "If not, list all hosts as peers on all hosts" in found.summary()
 
 

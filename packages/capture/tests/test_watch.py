@@ -123,11 +123,11 @@ def test_beside_running_robots_it_learns_who_speaks_and_names_who_stops() -> Non
     assert {said[second] for second in range(11, 22)} == {healthy}
     first = min(when for when, _, kinds, _ in seconds if "silent" in kinds)
     assert 22.5 < first < 22.5 + 3 * 1.0  # in steps of more than a second
-    assert said[26].startswith("10.77.0.2: fell silent. Nothing came from 10.77.0.2 for ")
+    assert said[26].startswith("10.77.0.2 fell silent. Nothing came from 10.77.0.2 for ")
     assert ". Check whether 10.77.0.2 is on and within reach" in said[26]
     _, text, kinds, _ = seconds[-1]
     assert "answers no more" in kinds
-    assert text.startswith("10.77.0.3: still sends, but no longer answers any host")
+    assert text.startswith("10.77.0.3 still sends, but no longer answers any host")
 
 
 def listened(content: bytes) -> list[tuple[float, list[str]]]:
@@ -246,7 +246,7 @@ def test_metrics_are_served() -> None:
         (b"", "it ended before a packet came"),
         (FAST[:10], "it ended before a packet came"),
         (bytes(100), "not a pcap: it starts with 00 00 00 00"),
-        (FAST[:-3], "it ended inside of a packet"),
+        (FAST[:-3], "it ended within a packet"),
     ],
 )
 def test_a_pipe_that_is_none_or_ends_is_told(content: bytes, said: str) -> None:

@@ -28,7 +28,7 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
         yield f"another radio, multicast rate and aggregation: {radio}"
         return
     timed = replace(radio.wifi(), name=wifi.name) != wifi
-    basis = "both values use standard timing" if timed else ""
+    basis = "both values use the timing of the 802.11 standard" if timed else ""
     if radio.basic_rate < FASTER_MULTICAST_RATE:
         rates = f"{FASTER_MULTICAST_RATE / 1e6:g} instead of {radio.basic_rate / 1e6:g} Mbit/s"
         yield Change(

@@ -153,8 +153,8 @@ class Remedy:
         # With aggregation, the seconds depend on how many frames wait.
         differs = self.range_before.differs or self.range_after.differs
         if self.saved < 0:
-            becomes = "" if differs else f": {before} becomes {after}"
-            return f"{subject}add{s} {wording.percent(-self.saved)}{becomes}"
+            ends = "" if differs else f" (from {before} to {after})"
+            return f"{subject}raise{s} the airtime by {wording.percent(-self.saved)}{ends}"
         # Never write 100% while any airtime is left.
         nearly = self.saved >= 0.995 and self.utilization > 0
         share = "more than 99%" if nearly else wording.percent(self.saved)

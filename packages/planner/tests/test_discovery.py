@@ -130,7 +130,7 @@ def test_an_interrupt_of_the_reboot_leaves_the_rest_of_the_answer(
 @pytest.mark.parametrize(
     ("release", "slowest", "said"),
     [
-        ("Fast DDS 2.6", 2.0, "Real startups with a server or router may take up to 2"),
+        ("Fast DDS 2.6", 2.0, "Real startups with a server or router, which we did not compare"),
         ("Fast DDS 2.14", 1.19, "Fast DDS 2.14 with a Discovery Server took 0.99 to 1.19 times"),
     ],
 )
@@ -171,7 +171,7 @@ def test_what_the_simulation_leaves_out_makes_an_answer_unsure_where_messages_ar
     covered = {change.remedy.kind for change in many.discovery.sufficient}
     assert "processes" not in covered
     assert {"static endpoints", "multicast endpoint data"} <= covered
-    told = "What makes us surer that it works, least effort first:"
+    told = "To be sure, make one of these changes, least effort first:"
     assert told in said
     assert "First step" not in said
     options = ["plan", "--hosts", "12", "--processes", "2", "--endpoints", "10"]
@@ -194,7 +194,7 @@ def test_a_robot_that_starts_later_is_simulated_after_the_others() -> None:
     assert max(late.times) < today.median
     said = " ".join(plan.advice().split())
     assert "If one robot reboots, all others rediscover it 0." in said
-    assert ", and no lease of theirs expires." in said
+    assert ", and none of their leases expires." in said
     again = plan.to_dict()["known_again"]
     assert again["median_s"] == late.median
     assert (again["low_s"], again["high_s"]) == late.median_interval
@@ -721,7 +721,7 @@ def test_a_change_is_enough_only_if_the_slowest_measured_run_would_meet_the_targ
     assert not plan.to_dict()["discovery"]["changes"][found.changes.index(fewer)]["suffices"]
     said = " ".join(plan.advice(all_changes=True).split())
     row = said.partition("Composing 2 processes into 1: ")[2]
-    assert "Probably enough: in reality up to 12 s." in row.partition(" 4. ")[0]
+    assert "Probably enough: real runs may take up to 12 s." in row.partition(" 4. ")[0]
     # What is enough in simulations comes before what is not even that.
     levels = [c.suffices(10) + c.time.works(10) for c in found.helpful if c.time]
     assert levels == sorted(levels, reverse=True)

@@ -36,7 +36,7 @@ def test_on_a_preset_the_channel_changes_in_all_that_its_standard_says() -> None
         assert found.wifi == ds.WIFI[found.wifi.name]
         assert found.before == plan.utilization
         assert "802.11n 20 MHz 2x2: " in found.sentence()
-        assert "standard timing" not in found.sentence()
+        assert "timing of the 802.11 standard" not in found.sentence()
     assert [reason.split(":")[0] for reason in plan.not_applicable] == [
         "composing",
         "a longer announcement interval",

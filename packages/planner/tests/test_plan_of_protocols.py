@@ -211,7 +211,7 @@ def test_a_table_of_ones_own_may_switch_to_both() -> None:
     own = ds.Protocol("own", ds.DDS.messages[:2])
     plan = ds.plan(FIG3, own)
     assert [r.protocol.name for r in plan.remedies if r.kind == "middleware"] == ["Zenoh", "DDS"]
-    assert "adds" in remedy(plan, "middleware", 1).sentence()
+    assert "raises" in remedy(plan, "middleware", 1).sentence()
 
 
 def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(

@@ -60,7 +60,7 @@ def test_the_swarm_of_fig_3_by_hand() -> None:
             assert found.wifi.unicast == radio.wifi().unicast
             expected = by_hand([[5] * 8] * 3, frames=frames_of(radio.wifi()))
             assert (found.before, found.utilization) == (approx(now), approx(expected))
-            assert "standard timing" in found.sentence()
+            assert "timing of the 802.11 standard" in found.sentence()
 
 
 @pytest.mark.parametrize("protocol", [ds.DDS, ds.ZENOH], ids=lambda protocol: protocol.name)

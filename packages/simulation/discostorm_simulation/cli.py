@@ -79,7 +79,7 @@ def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds
     lost = wording.percent_range(found.lost.min(), found.lost.max())
     return (
         f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then some "
-        f"robots do not see each other. Here {lost} of the frames are lost, and stay lost. "
+        f"robots do not see each other. Here {lost} of the frames are lost and not resent. "
         "With recovery, startup takes longer."
     )
 
@@ -90,7 +90,7 @@ def compare_drain_times(with_data: ds.Simulation, without_data: ds.Simulation) -
         f"over after {wording.duration(taken)}" if taken < float("inf") else "not over by the end"
         for taken in (median(one.drain_time.tolist()) for one in (with_data, without_data))
     )
-    return f" The simulated startup burst is {longer} beside your data, and {usual} without them."
+    return f" The simulated startup burst is {longer} with your data, and {usual} without them."
 
 
 def _number_option(name: str, default: float, text: str, unit: str | None = None) -> Any:
@@ -113,12 +113,12 @@ def _flag(name: str, text: str) -> Any:
     RunOptions,
     _number_option("--runs", 5, "Independent runs."),
     _number_option("--seed", 0, "Random seed."),
-    _number_option("--loss", 0.0, "Frame error rate, 0 to below 1."),
-    _number_option("--window", 0.0, "Time within which the hosts start, at random.", "s"),
+    _number_option("--loss", 0.0, "Frame error rate, from 0 to below 1."),
+    _number_option("--window", 0.0, "Each host starts at a random time within this window.", "s"),
     _number_option(
         "--until", 120.0, "Simulated time after the last start, with recovery or user data.", "s"
     ),
-    _flag("--unlimited", "Set no limit for queues, in place of 500 frames and 0.5 s."),
+    _flag("--unlimited", "Do not limit queues to 500 frames and 0.5 s."),
     _flag("--no-recovery", "Simulate neither answers nor the recovery of losses."),
 )
 @radio_options
@@ -132,18 +132,18 @@ def simulate(
 ) -> None:
     """Simulate the startup of a fleet, frame by frame, in several runs.
 
-    FLEET is a TOML file as for `discostorm plan`. As there, radios put up to
+    FLEET is a fleet file in TOML; `discostorm plan --help` describes the format. Radios put up to
     64 frames for one receiver into an A-MPDU, if their standard allows it. With recovery (the
-    default), messages trigger answers and the middleware repairs losses. A time that was not
-    reached is null in JSON and empty in CSV. Recovery with a server on a robot is not simulated;
-    the answer is then the drain time.
+    default), messages trigger answers and the middleware repairs losses. A time that a run does
+    not reach is null in JSON and empty in CSV. We do not simulate recovery with a server on a
+    robot; the answer is then the drain time.
 
     If FLEET lists topics ([[groups.data]]), hosts send them alongside discovery, and each run is
     repeated without topics. A second table shows the samples' delays and the share of frames that
     arrived. Without recovery, hosts send topics from their start to the end of the simulation.
 
-    "Drained" is the end of the burst's last transmission, "lost" is the share of frames that never
-    arrived, "converged" is the time at which every process knows all others and their endpoints.
+    "Drained" is the end of the burst's last transmission, and "lost" the share of frames that never
+    arrived. "Converged" is the time at which every process knows all others and their endpoints.
 
     {matching}
 
@@ -217,7 +217,7 @@ def simulate(
             ends = "until discovery was complete"
         elif not options.no_recovery and len(refused) < len(found):
             ends = "until discovery was complete or, where it is not simulated, the end of the run"
-        click.echo(f"\nData {ends}, median of the runs:\n")
+        click.echo(f"\nData {ends} (medians of the runs):\n")
         late = _user_data_rows(found)
         special = Column("frames", "radio frames"), Column("arrived", format=out.percent)
         out.print_table(late, output, out.columns_of(late, *special))

@@ -195,7 +195,7 @@ def _explain_failure(program: str, interface: str, text: str) -> str:
     """Return why a program cannot capture, and what to do about it."""
     lines = [line for line in text.strip().splitlines() if "listening on" not in line]
     lines = [line for line in lines if not line.startswith(tuple(CAPTURING["startup_lines"]))]
-    reason = lines[0].removeprefix(f"{program}: ") if lines else "it ended without a word"
+    reason = lines[0].removeprefix(f"{program}: ") if lines else "it ended without a message"
     reason = reason.removeprefix(f"{interface}: ").rstrip(".")
     known = CAPTURING["hints"].items()
     hints = [hint for words, hint in known if re.search(words, text, re.IGNORECASE)]

@@ -80,8 +80,8 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
 def clock_steps(evidence: Evidence) -> Iterator[Finding]:
     """Yield the steps of the capture's clock."""
     for frame, step in evidence.obs.recording.clock_steps[:MAX_CLOCK_STEPS]:
-        way = "back" if step < 0 else "on"
-        yield Finding(f"clock {way}", (), say("clock step", frame, abs(step), way))
+        text = say("clock step", frame, abs(step), "back" if step < 0 else "ahead")
+        yield Finding("clock back" if step < 0 else "clock on", (), text)
 
 
 def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:

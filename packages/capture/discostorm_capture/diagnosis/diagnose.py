@@ -209,7 +209,7 @@ class Diagnosis:
             return f"Discovery is {state}: {self.wrong[0].summary}{also}."
         if self.complete is False:
             lacking = f"{len(self._evidence.incomplete_pairs)} of {self.pairs} pairs of processes"
-            return f"Discovery is not complete: {lacking} do not know all of each other."
+            return f"Discovery is not complete: {lacking} have not discovered all of each other."
         if self.complete is None:
             if not len(self._hosts):
                 return "The capture shows no discovery of DDS or Zenoh."

@@ -1,5 +1,6 @@
 """A finding: what is wrong, at which hosts, and how the capture shows it."""
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
@@ -65,10 +66,8 @@ class Finding:
     @property
     def summary(self) -> str:
         """What is wrong, in one clause; if there are two possible causes, both."""
-        summary = finding_kinds()[self.kind]["summary"]
-        if not self.hosts:
-            return summary.removeprefix("HOSTS: ")
-        return summary.replace("HOSTS", listing(self.hosts))
+        summary = finding_kinds()[self.kind]["summary"].replace("HOSTS", listing(self.hosts))
+        return re.sub(r"\{(.*?)\|(.*?)\}", r"\2" if len(self.hosts) > 1 else r"\1", summary)
 
     @property
     def remedy(self) -> str:

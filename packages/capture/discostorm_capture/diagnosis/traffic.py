@@ -106,7 +106,7 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     text = say("loss", when.min(), when.max(), again, sent, share, low, high)
     ((host, most),) = ends.most_common(1)
     if len(ends) > 2 and most >= LIMITS.min_share_of_one_host * again:
-        text += f"; {wording.percent(most / again)} of them were from or to {host}"
+        text += f"; {wording.percent(most / again)} of these frames were from or to {host}"
     yield Finding("heavy loss" if heavy else "loss", (), text)
 
 

@@ -27,7 +27,7 @@ from discostorm_planner import ros2_output
     "--hosts",
     type=float,
     metavar="N",
-    help="Number of robots, if the text describes one of them.",
+    help="Number of robots, if the text describes only one.",
 )
 @click.option(
     "--processes",

@@ -58,7 +58,7 @@ _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encod
     "--nodes",
     callback=parse_number_list,
     metavar="N[,N...]",
-    help="Nodes with parameter services in each process; commas separate the groups.  "
+    help="Nodes with parameter services in each process; for several groups: 13,2.  "
     "[default: those of the file, else 1 if the endpoints suffice]",
 )
 @click.option(
@@ -76,7 +76,7 @@ _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encod
     help="Target discovery time: a startup works if nine of ten simulated runs meet it.  "
     f"[default: that of the file, else {TARGET_S:g}]",
 )
-@click.option("--all", "all_changes", is_flag=True, help="Name all changes that were tried.")
+@click.option("--all", "all_changes", is_flag=True, help="List all changes that we tried.")
 @click.option(
     "--why",
     is_flag=True,
@@ -91,8 +91,8 @@ _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encod
     "--write",
     "folder",
     metavar="DIR",
-    help="Write this configuration, or that for the first change that is enough, into a "
-    "folder, by host and with a README; nothing if the startup already works.",
+    help="Write this configuration, or that of the first sufficient change, into a folder for each "
+    "host, with a README. Nothing is written if the startup already works.",
 )
 @click.option("--force", is_flag=True, help="Let --write replace files.")
 @wifi_options
