@@ -1,4 +1,4 @@
-"""Wired hosts in plans, simulations and captures."""
+"""Wired hosts in plans and captures."""
 
 import json
 import lzma
@@ -22,13 +22,6 @@ def test_a_plan_counts_wired_hosts() -> None:
     plan = ds.plan(ds.Fleet((ROBOTS, WIRED)), ds.DDS, ds.PAPER)
     assert plan.utilization == ds.utilization(ds.DDS, ds.Fleet((ROBOTS, WIRED)))
     assert plan.utilization < ds.plan(ds.Fleet((ROBOTS, LAPTOP)), ds.DDS, ds.PAPER).utilization
-
-
-def test_the_simulator_refuses_wired_hosts_by_name() -> None:
-    with pytest.raises(
-        ValueError, match=r"wired must be False for a simulation.* got True for lapt"
-    ):
-        ds.simulate(ds.Fleet((ROBOTS, WIRED)), ds.DDS, ds.PAPER, recovery=False)
 
 
 # ---------------------------------------------------------------- captures

@@ -58,7 +58,7 @@ FLEETS = {
     "small robots, router": (SMALL, "Zenoh router", ds.PAPER),
     "nodes": (fleet_of("One bare node", 12), "Fast DDS", AC),
     "Nav2": (fleet_of("Nav2 in one process", 8), "Fast DDS", AC),
-    "Nav2, paper": (fleet_of("Nav2 in one process", 12), "Fast DDS", ds.PAPER),
+    "Nav2, paper": (fleet_of("Nav2 in one process", 6), "Fast DDS", ds.PAPER),
     "drones": (fleet_of("Drone, PX4 through uXRCE-DDS", 5), "Cyclone DDS", AC),
     "arms": (fleet_of("Manipulator with MoveIt", 4), "Fast DDS", ds.PAPER),
     "one TurtleBot 4": (fleet_of("TurtleBot 4 with Nav2", 2), "Fast DDS", AC),
