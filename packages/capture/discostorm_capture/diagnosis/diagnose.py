@@ -202,7 +202,7 @@ class Diagnosis:
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
             good = "complete and over, but " if self.over else "complete, but "
             if any(one.role for one in self.wrong):
-                good = ""  # some pair cannot work
+                good = ""  # a finding concerns pairs, so do not call discovery complete
             bad = ["healthy", *["complete"] * (self.complete is False)]
             bad += ["over"] * (self.over is False)
             state = f"{good if self.complete else ''}not {' and not '.join(bad)}"

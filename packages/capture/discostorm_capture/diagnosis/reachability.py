@@ -73,11 +73,11 @@ def _fill_rtps(obs: Observations, reach: Reachability) -> None:
     # A message without receiving process goes to an address from an announcement.
     plain = (obs.sender_index >= 0) & (obs.receiver_index < 0) & ~obs["multicast"]
     _set_cells(reach.multicast_ok, sender, receiver, plain)
-    # Keys follow the handshake, in which each step answers the previous one.
+    # Keys confirm unicast, too: each step of the handshake before them answers the previous one.
     confirms = obs.isin("submessage", "ACKNACK") & ((obs.seq > 1) | (obs["missing"] > 0))
     confirms |= obs.uses_keys
     _set_cells(reach.unicast_ok, by, of, confirms)
-    # A handshake may fail for other reasons; an empty Heartbeat gets no answer.
+    # Skip handshakes, which may fail for other reasons, and empty Heartbeats, which get no answer.
     asks = obs.isin("submessage", "HEARTBEAT", "DATA") & ~obs.isin("kind", "SPDP", HANDSHAKE)
     _set_cells(reach.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.seq > 0))
     # A host with DDS Security confirms nothing to a host without it.
