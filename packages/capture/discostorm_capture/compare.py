@@ -60,7 +60,7 @@ def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: DataFrame) 
     groups = shown.fleet.groups
     unmatched, matched = (replace(shown, fleet=Fleet(groups, share)) for share in (0.0, 1.0))
     if "unmatched endpoint" in counted:
-        # Of two matched endpoints, only one declares the key expression.
+        # Only one of two matched endpoints declares the key expression.
         kind = "Declare key expression"
         min_count, max_count = (
             sum(m.per_unit * of.visible_units(m) for m in protocol.messages if m.kind == kind)

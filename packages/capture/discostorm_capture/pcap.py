@@ -103,7 +103,7 @@ def _parse_pcap(
     if at != size:
         complete = len(rows) // len(_PACKET_COLUMNS)
         raise CaptureError(say("cut packet", name, at, complete + 1, complete))
-    # The upper bits of the field describe check sequences.
+    # Drop the upper bits of the field: they describe check sequences.
     (link,) = struct.unpack_from(order + "I", source, 20)
     return (link & 0xFFFF,)
 

@@ -25,7 +25,7 @@ class Activity:
     #: The longest pause between two messages, except outages [s].
     longest_pause: float = LIMITS.min_pause
     is_silent: bool = False
-    #: When a message last asked it for an answer, and when it last requested or said goodbye.
+    #: When the host was last asked for an answer, last requested again, and last said goodbye.
     asked_at: float = 0.0
     rerequested_at: float = 0.0
     last_goodbye: float = 0.0

@@ -46,14 +46,14 @@ class _Roster:
     #: Frame, process and source address of each message with an identity; roles in them.
     sightings: list[tuple[int, int, int]] = field(default_factory=list)
     roles: dict[int, set[int]] = field(default_factory=lambda: defaultdict(set))
-    #: Maximum number of endpoints, and of endpoint tokens, that it declares to one other process.
+    #: Maximum number of endpoints, and of endpoint tokens, that a process declares to another one.
     declared_endpoints: dict[int, int] = field(default_factory=dict)
     endpoint_tokens: dict[int, int] = field(default_factory=dict)
     #: Frame, declaring process and text of each token that names an endpoint of rmw_zenoh.
     ros_tokens: list[tuple[int, int, re.Match[bytes]]] = field(default_factory=list)
-    #: The longest list of addresses that one of its messages names as listening addresses.
+    #: The longest list of listening addresses in one message of a process.
     listening_addresses: dict[int, set[int]] = field(default_factory=lambda: defaultdict(set))
-    #: The version of the protocol with which it opens sessions.
+    #: The version of the protocol with which a process opens sessions.
     versions: dict[int, int] = field(default_factory=dict)
 
     def add(self, zid: bytes, role: int, packets: Columns, row: int) -> int:

@@ -42,7 +42,7 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
         announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
         senders = obs.messages["sender"][obs.sender_index == member].astype(str)
         host = "".join(senders[-1:])
-        # Announced IPv6 addresses are not parsed.
+        # Skip hosts that send from IPv6 addresses: announced ones are not parsed.
         elsewhere = host and host not in announced and ":" not in host
         if announced and member not in working and elsewhere:
             # A process that multicasts is in this network: NAT and containers drop multicast.
@@ -145,7 +145,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     apart = {obs.hosts_of(pair.processes) for pair in evidence.incomplete_pairs}
     found = obs.links_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
     failed = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
-    # The caller must have got a Hello, which has the port.
+    # Skip callers that got no Hello: only a Hello has the port.
     vain = {pair: count for pair, count in failed.items() if pair in apart and pair[::-1] in found}
     if vain:
         times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}

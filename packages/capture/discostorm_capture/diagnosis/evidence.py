@@ -113,7 +113,7 @@ def _missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str
         rows, lacks = sent.get((subject, writer), acks[:0]), obs.seq[acks]
         if lacks.min() > 1 and not len(rows):
             continue
-        # A Discovery Server sends each sample only to the clients that need it.
+        # Count all samples of a Discovery Server, which sends each only to clients that need it.
         to_it = np.isin(obs.receiver_index[rows], (observer, -1)) | obs.is_server[subject]
         seqs = obs.seq[rows[to_it]]
         missing = int(lacks.max()) - 1 - len(np.unique(seqs[seqs < lacks.max()]))
@@ -128,7 +128,7 @@ def _silent_hosts(obs: Observations) -> dict[str, int]:
     answers = obs.isin("submessage", "ACKNACK") & (obs.seq > 1)
     answers |= obs.uses_keys
     answers |= zenoh_replies(obs) & (obs.sender_index >= 0)
-    # A host may announce another address than it sends from, such as that of Docker's bridge.
+    # Add announced addresses: a host may send from another one, as with Docker's bridge.
     spoke = {*obs.host_first_last, *obs.process_host, *obs.announced_addresses}
     counts = obs.messages["receiver"][answers & ~obs["multicast"]].astype(str).value_counts()
     counts = counts[counts >= LIMITS.min_answers]
@@ -138,9 +138,9 @@ def _silent_hosts(obs: Observations) -> dict[str, int]:
 def _process_endings(obs: Observations) -> Array:
     """Return how each process ended: "left" (with a goodbye), "silent", or "" if it did not."""
     closed = _observed_ends(obs)
-    # A process that only uses a server on its own host announces nothing in the capture.
+    # Skip RTPS processes without announcements: they may only use a server on their own host.
     announced = obs.senders(obs.isin("kind", "SPDP", *pairs.CLIENT_KINDS))
-    # A host out of range does not acknowledge segments.
+    # A host that acknowledges no segments is out of range: its silence counts sooner.
     vanished = {receiver: time for _, _, receiver, _, time in obs.event_tuples("vanished")}
     endings = np.full(len(obs.processes), "", object)
     for process, last in enumerate(obs.first_last[1]):

@@ -36,10 +36,10 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that share a MAC address, if each of them has a pair that never completed."""
     obs = evidence.obs
     lacking = {*obs.hosts_of(one for pair in evidence.incomplete_pairs for one in pair.processes)}
-    # One host may have several addresses; then it announces all of them.
+    # Skip one host with several addresses: it announces all of them.
     own = [{*text.split()} for text in obs.processes["announces"]]
     arp = obs.events("ARP request", "ARP reply")
-    # An access point may answer ARP for other hosts with their addresses.
+    # Skip addresses with several MACs: an access point may answer ARP for other hosts.
     proxied = arp.groupby("sender", observed=True)["port"].transform("nunique") > 1
     for mac, rows in arp[arp["sender"].isin([*obs.host_first_last]) & ~proxied].groupby("port"):
         hosts = {*rows["sender"].astype(str)}
@@ -65,7 +65,7 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
 
 def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with IPv4 addresses of one subnet that use the same process id at one time."""
-    # Hosts have several IPv6 addresses in a subnet; servers with the same number have the same id.
+    # Skip IPv6 (several addresses per host) and servers (the same number gives the same id).
     obs, servers = evidence.obs, np.append(evidence.obs.is_server, True)
     mine = obs.messages[~servers[obs.sender_index]]
     spoke = mine.groupby(["process", "sender"], observed=True)["time"].agg(["min", "max"])
@@ -85,7 +85,7 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
     for scope in evidence.scopes:
         speakers[scope.protocol] |= {*scope.hosts}
     calls = evidence.obs.event_tuples("connection", "half", "refused", "unanswered")
-    # A port scanner calls this port among others.
+    # Skip port scanners, which call this port among others.
     ports = Counter(ends[:2] for ends in {row[1:4] for row in calls})
     called = {row[1:3] for row in calls if row[3] == ZENOH_PORT}
     speakers["Zenoh"] |= {ends[0] for ends in called if ports[ends] < LIMITS.port_search}
@@ -106,7 +106,7 @@ def different_settings(evidence: Evidence) -> Iterator[Finding]:
     for scope, (setting, kind) in product(evidence.scopes, kinds.items()):
         given = obs.processes.iloc[[*scope.members]]
         on, off = (sorted({*given["host"][given[setting] == way]}) for way in (True, False))
-        # With and without security, hosts ignore each other.
+        # Security is no obstacle if hosts with and without it exchange messages.
         if on and off and not (setting == "secured" and mixed.any()):
             yield Finding.of(kind, on if len(on) <= len(off) else off, on, off)
 
@@ -122,7 +122,7 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
         if len(old) >= LIMITS.min_new_samples and back >= LIMITS.min_clock_difference:
             step = wording.duration(back), rows["time"].iloc[late]
             yield Finding.of("clock steps", (str(host),), *step)
-        # Retransmitted samples carry an old time stamp.
+        # Only the newest time stamps count: retransmitted samples carry an old one.
         elif (ahead >= ahead.max() - LIMITS.max_age_difference).sum() >= LIMITS.min_new_samples:
             clocks[str(host)] = ahead.max()
     usual = median_high(clocks.values()) if clocks else 0.0

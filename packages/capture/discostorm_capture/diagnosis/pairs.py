@@ -161,7 +161,7 @@ def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         for mask in (obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare"))
     )
     contact = first_contacts(obs)
-    # Sessions that began before the capture cannot be read.
+    # Times stay unknown for sessions that began before the capture: these cannot be read.
     spoke = _links_without_processes(obs) | obs.links_of(obs.events("exchange"))
     pairs = []
     nothing = np.zeros(0, np.int64)

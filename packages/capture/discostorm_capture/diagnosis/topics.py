@@ -206,7 +206,7 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
         return  # unknown endpoints may match
     for _, rows in evidence.endpoints.groupby("scope"):
         only = rows.groupby("topic").filter(lambda group: {*group["writer"]} != {True, False})
-        only = only[~only["topic"].str.startswith("rr/")]  # a service has its requests, too
+        only = only[~only["topic"].str.startswith("rr/")]  # the requests stand for the service
         ends = only.drop_duplicates(["topic", "type"])
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
             if len(both) == 2 and {*both["writer"]} == {True, False}:
@@ -257,7 +257,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
             ends.get((service, *role), []) for role in (("rq", True), ("rr", False), ("rr", True))
         )
         for (client, _, number), (server, replies, _) in product(readers, writers):
-            # With several clients in a process, it is unknown which one reads which reply.
+            # Skip processes with several clients: it is unknown which one reads which reply.
             asks = [entity for process, entity, _ in asking if process == client]
             names = obs.hosts_of((client, server))
             if len(names) < 2 or len(asks) != 1 or (client, asks[0]) not in sends:

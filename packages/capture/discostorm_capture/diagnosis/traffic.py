@@ -45,7 +45,7 @@ def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], C
         ends.update(dict.fromkeys(obs.hosts_of((subject, observer)), len(frames)))
     hosts = [obs.indices_among(end, [*obs.host_first_last]) for end in ("sender", "receiver")]
     first, last = np.array([*obs.host_first_last.values(), (0.0, np.inf)]).T
-    # A host that has ended acknowledges nothing.
+    # Leave out segments from or to a host that has ended: it acknowledges nothing.
     tcp = (obs.time > first[hosts].max(axis=0) + LIMITS.startup_time) & obs.isin("transport", "TCP")
     tcp &= obs.time < last[hosts].min(axis=0)
     again = obs.messages[tcp & obs.isin("kind", "TCP retransmission")]
@@ -78,7 +78,7 @@ def lost_sample_frames(
     last = np.maximum(asked - 1, 0)
     later = (asked > 0) & (number[last] == obs.seq[lacks])
     waited = obs.time[lacks] - time[last] > _max_read_delay(obs.time[lacks], startup) + delay
-    # Holes in what a server sends are normal: it sends each client only what concerns it.
+    # A hole is a loss, unless the sender is a server, which sends clients only what concerns them.
     later &= waited | (obs["holes"][lacks] & ~obs.is_server[subject])
     # Other samples of a request are lost if they are sent again.
     asks = np.append(-np.inf, np.sort(obs.time[lacks]))
@@ -205,7 +205,7 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
             who, ports = ({row[at] for row in calls if row[2] == host} for at in (1, 3))
             names = [SERVICE_PORTS.get(int(port), str(port)) for port in sorted(ports)]
             findings.append(Finding.of("refuses", (host,), sorted(who), names, count))
-    # Hosts that get answers did send messages, though the capture lacks them.
+    # Skip hosts that others answer: they did send messages, though the capture lacks them.
     yield from (one for one in findings if not {*one.hosts} & {*evidence.silent_hosts})
 
 
@@ -338,7 +338,7 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     deaf: dict[tuple[str, str], str] = {}
     for _, sender, receiver, payload, time in obs.event_tuples("vanished"):
         later = (obs.time > time) & (obs.time < time + LIMITS.min_wait)
-        # A receiver that is out of range or restarts sends nothing meanwhile.
+        # Skip receivers that send nothing meanwhile: they are out of range, or restart.
         if (sender, receiver) not in large and (later & obs.isin("sender", receiver)).any():
             text = f"{sender} to {receiver} ({payload} bytes, first sent after {time:.1f} s)"
             deaf.setdefault((sender, receiver), text)
