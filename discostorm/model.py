@@ -159,7 +159,7 @@ def burst(
     Returns
     -------
     float or ndarray
-        Airtime [s]; with the paper's tables the utilization of their one second.
+        Airtime [s]. For the paper model, it equals the utilization: the window is one second.
 
     Examples
     --------
@@ -182,10 +182,10 @@ def unit_costs(
 ) -> dict[Unit, Value]:
     """Return the airtime that each unit adds to an average second of the window [s].
 
-    With ``by_hop``, for fleets with wired hosts, uplink and downlink apart.
+    ``by_hop`` separates uplink and downlink, which fleets with wired hosts need.
     """
     protocol, wifi = as_protocol(protocol), as_wifi(wifi)
-    protocol.of_phase(phase)  # raises if there is none
+    protocol.of_phase(phase)  # raises if the protocol has no such phase
     window_s = checked_window(window)
     if isinstance(window_s, float):
         return dict(_cached_costs(protocol, wifi, phase, window_s, by_hop))
@@ -214,9 +214,9 @@ def _hop_seconds(message: Message, hop: Hop, wifi: Wifi) -> float:
 
 
 @lru_cache(maxsize=4096)
-def _frame_seconds(hop: Hop, cast: Cast, framed: bool, octets: float, wifi: Wifi) -> float:
+def _frame_seconds(hop: Hop, cast: Cast, own_frame: bool, octets: float, wifi: Wifi) -> float:
     """Return the airtime of a frame on a hop, or of octets inside of another frame [s]."""
-    expression = hop_airtime(hop, cast, framed, _FRAME_BYTES, wifi.model)
+    expression = hop_airtime(hop, cast, own_frame, _FRAME_BYTES, wifi.model)
     with np.errstate(divide="ignore"):
         return float(evaluate(expression, wifi.values() | {_FRAME_BYTES: octets}))
 

@@ -215,7 +215,7 @@ several_swarms_options = _swarm_options(
 
 
 def error_band_columns(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:
-    """Return the interval of the measured airtime over the model's; see `ErrorBand`."""
+    """Return columns for the range of measured over modeled airtime; see `ErrorBand`."""
     error = error_band(protocol.name, fleet, protocol.captured) if protocol.captured else None
     low, high = (error.low, error.high) if error and error.coverage else (None, None)
     return {"band_low": low, "band_high": high, "band_beyond": error.beyond if error else None}

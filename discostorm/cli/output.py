@@ -37,7 +37,7 @@ def bad_input() -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        if error.filename is None:  # of the output
+        if error.filename is None:  # the output failed, not an input file
             raise
         name = _checks.shorten_name(str(error.filename))
         raise BadInput(visible(f"{name}: {error.strerror}")) from error

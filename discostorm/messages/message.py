@@ -215,9 +215,9 @@ _FIELD_TYPES = _TEXTS | {"payload": Payload, "unit": Unit, "schedule": Schedule,
 
 
 @cache
-def hop_airtime(hop: Hop, cast: Cast, framed: bool, octets: sp.Expr, model: Model) -> sp.Expr:
+def hop_airtime(hop: Hop, cast: Cast, own_frame: bool, octets: sp.Expr, model: Model) -> sp.Expr:
     """Return the airtime of a frame on a hop, or of octets inside of another frame [s]."""
-    if not framed:
+    if not own_frame:
         return bits_airtime(octets, "unicast" if hop == "up" else cast)
     return uplink_airtime(octets, model) if hop == "up" else downlink_airtime(octets, cast, model)
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 #: A protocol's family decides which remedies work, and how the protocol recovers losses.
 Family = Literal["DDS", "Zenoh"]
 
-Cost = TypeVar("Cost", float, Any)
+CostT = TypeVar("CostT", float, Any)
 
 #: The source of a table's counts: the paper; the paper with a product's timers; a product measured
 #: as shipped; a product measured in a configuration that sends less; a proposal.
@@ -243,16 +243,16 @@ class Protocol:
 
     def sum_by_unit(
         self,
-        airtime: Callable[[Message, Hop], Cost],
+        airtime: Callable[[Message, Hop], CostT],
         times: Callable[[Schedule], Any],
         phase: str | None = None,
         by_hop: bool = False,
-    ) -> dict[Unit, Cost]:
+    ) -> dict[Unit, CostT]:
         """Return the airtime that the messages need for each unit [s].
 
         ``airtime`` is that of a message on a hop, ``times`` how often a schedule sends it.
         """
-        costs: dict[Unit, Cost] = {}
+        costs: dict[Unit, CostT] = {}
         for message in self.of_phase(phase):
             sent = message.per_unit * times(message.schedule)
             for unit, hops in message.counted_by(by_hop):

@@ -1,4 +1,4 @@
-"""Schedules: a message is sent once, at some times, or with a period."""
+"""Schedules: a message is sent once, at listed times, or periodically."""
 
 from dataclasses import dataclass
 from typing import Any

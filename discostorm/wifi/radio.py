@@ -93,7 +93,7 @@ class Radio(_DerivedQuantities):
             _checks.instance("name", self.name, str)
         _checks.instance("standard", self.standard, str)
         _checks.unwrap_0d_arrays(self)
-        for key, value in self._given_parameters().items():
+        for key, value in self._all_parameters().items():
             if value is not None and key != "standard":
                 _checks.require_scalars([(key, value)])
                 if not isinstance(value, Hashable):  # the parts are looked up by this value
@@ -118,12 +118,12 @@ class Radio(_DerivedQuantities):
         given = [f", {name}={value!r}" for name, value, usual in own if value != usual]
         return _checks.shorten_repr(f"Radio({self.standard!r}{''.join(given)})")
 
-    def _given_parameters(self) -> dict[str, Any]:
+    def _all_parameters(self) -> dict[str, Any]:
         return {f.name: getattr(self, f.name) for f in fields(self) if f.name != "name"}
 
     @property
     def _standard_parameters(self) -> StandardParameters:
-        return standard_parameters(**self._given_parameters())
+        return standard_parameters(**self._all_parameters())
 
     @property
     def padding(self) -> OfdmSymbols:

@@ -147,9 +147,9 @@ def schedule_data(protocol: Protocol, recovery: bool) -> dict[str, JsValue]:
     found: dict[str, JsValue] = {
         "kinds": nonzero_columns(setup.kinds, FIELDS_OF_FLEET),
         "bursts": {
-            "messages": [list(rows) for rows in bursts.messages],
-            "periods": [cell_setup.to_ticks(period) if period else 0 for period in bursts.period],
-            "times": [list(time) for time in bursts.times],
+            "messages": [list(rows) for rows in bursts.rows_by_burst],
+            "periods": [cell_setup.to_ticks(period) if period else 0 for period in bursts.periods],
+            "times": [list(time) for time in bursts.sends],
         },
     }
     if setup.repairs is not None:

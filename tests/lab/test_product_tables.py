@@ -77,7 +77,7 @@ def test_each_row_says_where_it_is_from() -> None:
 
 @each_table
 def test_kinds_are_called_as_the_reader_calls_them(name: str) -> None:
-    known = {*rtps.message_kinds(), *zenoh_messages.KINDS, *TCP_KINDS}
+    known = {*rtps.message_kinds(), *zenoh_messages.MESSAGE_KINDS, *TCP_KINDS}
     assert {message.kind for message in TABLES[name].messages} <= known
 
 

@@ -104,7 +104,7 @@ def point_from_runs(
     ready_s: Mapping[str, float],
     counts: Mapping[str, Mapping[CountKey, NDArray[np.float64]]],
 ) -> GridPoint:
-    """Return the point of some runs; ``ready_s`` says when all endpoints of each existed."""
+    """Combine runs into a grid point; ``ready_s`` says when all endpoints of each run existed."""
     none = np.zeros(3)
     keys = sorted({key for run in ready_s for key in counts[run]})
     counted = {key: np.array([counts[run].get(key, none) for run in ready_s]) for key in keys}

@@ -20,7 +20,7 @@ _SOFTWARE = {"fast_dds": "Fast DDS", "cyclone_dds_0.10": "Cyclone DDS", "zenoh":
 
 
 def staged_counts() -> pd.DataFrame:
-    """Return the lab's counts of each ``staging`` by ``kind``, and its ``packets``: medians."""
+    """Return what the lab counted when it re-enacted each published measurement (medians)."""
     return load_sweep("staged", "measured").drop(columns="title").set_index(["staging", "kind"])
 
 

@@ -72,7 +72,7 @@ def equation(label: str, left: str | sp.Expr, *steps: sp.Expr | str) -> Markdown
 
 
 def badge(figure: str) -> Markdown:
-    """Show the ledger's verdict on a figure of the paper, such as "2"."""
+    """Show the ledger's verdict on a figure of the paper, given its number, such as "2"."""
     return Markdown(claims.figures()[figure].caption())
 
 

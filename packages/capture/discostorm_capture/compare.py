@@ -37,14 +37,14 @@ class VisibleFleet:
         return total - float(count(Fleet(tuple(groups), self.fleet.matching)))
 
     def visible_units(self, message: Message) -> float:
-        """Return how many units of a message the capture shows."""
+        """Return how many units of a message (see `Message.unit`) the capture shows."""
         if message.cast == "multicast":
             return float(message.unit.count(self.fleet))
         return self.visible_count(message.unit.count)
 
 
 def fleet_visible_from(fleet: Fleet, processes: DataFrame) -> VisibleFleet:
-    """Return the view of a fleet from these processes' host, as one of the most similar group."""
+    """Return the fleet as seen from these processes' host, counted in the most similar group."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
     n, groups = len(processes), fleet.groups
     differences = [(abs(group.processes - n), abs(group.endpoints - mean)) for group in groups]
@@ -60,7 +60,7 @@ def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: DataFrame) 
     groups = shown.fleet.groups
     unmatched, matched = (replace(shown, fleet=Fleet(groups, share)) for share in (0.0, 1.0))
     if "unmatched endpoint" in counted:
-        # Of two matched endpoints, only one declares the key expression.
+        # Only one of two matched endpoints declares the key expression.
         kind = "Declare key expression"
         min_count, max_count = (
             sum(m.per_unit * of.visible_units(m) for m in protocol.messages if m.kind == kind)
@@ -93,7 +93,7 @@ def _infer_publishers(shown: VisibleFleet, protocol: Protocol, rows: DataFrame) 
 def wire_protocol(protocol: Protocol) -> str | None:
     """Return "RTPS" or "Zenoh", whichever a model's messages use; None if both or neither."""
     names = {message.kind for message in protocol.messages}
-    wires = (("RTPS", rtps.message_kinds()), ("Zenoh", zenoh_messages.KINDS))
+    wires = (("RTPS", rtps.message_kinds()), ("Zenoh", zenoh_messages.MESSAGE_KINDS))
     protocols = [wire for wire, kinds in wires if names & set(kinds)]
     return protocols[0] if len(protocols) == 1 else None
 
@@ -115,7 +115,7 @@ def comparison_window(protocol: Protocol, messages: DataFrame, duration: float) 
     times = captured_times(protocol, messages)
     if times.empty:
         return duration
-    # Without a message for half of the shortest period, all hosts are gone.
+    # Silence for half of the shortest period means that all hosts have left.
     silence = min(message.schedule.period for message in protocol.messages) / 2
     return min(duration, float(times.max()) + silence) - float(times.min())
 

@@ -55,7 +55,7 @@ def _parse_ipv4(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes)
     at = packets["at"]
     first, total, *_ = number_rows_at(data, at, ">u2", 2).T.astype(np.int64)
     header = (first >> 8 & 15) * 4
-    # With segmentation offload the network card fills in the length.
+    # With segmentation offload, the length is 0 until the network card fills it in.
     total = np.where(total == 0, packets["end"] - at, total)
     good = (header >= 20) & (total >= header)
     notes.add_where(~good & (at + 20 <= packets["end"]), "IP packets with a broken header")

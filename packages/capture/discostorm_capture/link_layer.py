@@ -102,7 +102,7 @@ def _read_ethernet(data: memoryview, at: int, end: int, point: int, _notes: Note
 
 def _read_sll(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> FramePayloads:
     if end - at >= 16:
-        # The "any" interface may show a packet both as sent and as received.
+        # Add the direction: the "any" interface may show a packet both as sent and as received.
         point = point << 8 | _u16(data, at)[0] & 0xFF
         yield FramePayload(_u16(data, at + 14)[0], at + 16, end, point)
 
@@ -115,7 +115,7 @@ def _read_sll2(data: memoryview, at: int, end: int, point: int, _notes: Notes) -
 
 def _read_loopback(data: memoryview, at: int, end: int, point: int, notes: Notes) -> FramePayloads:
     if end - at >= 4:
-        # The address family is in the byte order of the capturing machine.
+        # Try both byte orders: the address family is in the one of the capturing machine.
         if {_u32(data, at)[0], _le32(data, at)[0]} & _IP_FAMILIES:
             yield FramePayload(IPV4, at + 4, end, point)
         else:
@@ -147,7 +147,7 @@ def _read_radiotap(data: memoryview, at: int, end: int, point: int, notes: Notes
 def _read_wifi(
     data: memoryview, at: int, end: int, point: int, notes: Notes, padded: bool = False
 ) -> FramePayloads:
-    # Only data frames with a payload.
+    # Skip all frames except data frames with a payload.
     if end - at < 24 or data[at] & 0x4F != 0x08:
         return
     first, second = data[at], data[at + 1]

@@ -115,7 +115,7 @@ class Watch:
         return self.new_bytes >= self.max_bytes // 2
 
     def update_presence(self, header: bytes, idle: float = 0.0) -> bool:
-        """Update which hosts are present, `idle` s after the last packet; return if it changed."""
+        """Update presence, `idle` s after the last packet; return whether findings changed."""
         before = {(one.kind, one.hosts) for one in self.host_findings}
         if self.n_new > self.new_in_presence:
             self._read_kept_packets(header, MAX_PRESENCE_PACKETS)

@@ -8,7 +8,7 @@ from discostorm_capture._types import Array, Bytes, Columns
 
 #: Kinds of events. Instead of a port, ARP has the sender's MAC address, and segments that arrived
 #: or vanished have their payload size [B], and time stamps their seconds.
-KINDS = (
+EVENT_KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
     *("time stamp", "parts missing"),

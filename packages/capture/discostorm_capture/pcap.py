@@ -103,7 +103,7 @@ def _parse_pcap(
     if at != size:
         complete = len(rows) // len(_PACKET_COLUMNS)
         raise CaptureError(say("cut packet", name, at, complete + 1, complete))
-    # The upper bits of the field describe check sequences.
+    # Drop the upper bits of the field: they describe check sequences.
     (link,) = struct.unpack_from(order + "I", source, 20)
     return (link & 0xFFFF,)
 
@@ -188,7 +188,7 @@ def _parse_interface(name: str, source: memoryview, at: int, length: int, order:
 def _parse_packet(
     source: memoryview, at: int, kind: int, order: str, interfaces: list[_Interface], first: int
 ) -> tuple[int, int, int, int, int]:
-    """Return the row of a packet, in `_PACKET_COLUMNS`; raise IndexError for its interface."""
+    """Return a packet's `_PACKET_COLUMNS`; raise IndexError if its interface is not described."""
     if kind == _SIMPLE_PACKET:
         length, sent = struct.unpack_from(order + "II", source, at + 4)
         held = min(sent, length - _BLOCK_OVERHEAD[kind], interfaces[first].snaplen or 2**32)

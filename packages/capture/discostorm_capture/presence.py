@@ -8,7 +8,7 @@ import pandas as pd
 from discostorm import wording
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import event_tuples
-from discostorm_capture.sentences import listing, say
+from discostorm_capture.sentences import join_names, say
 
 #: Kinds of refusal events, the kind of event with ports that DDS addresses, and ports of Zenoh.
 REFUSAL_KINDS, PORT_ADDRESSED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)
@@ -25,7 +25,7 @@ class Activity:
     #: The longest pause between two messages, except outages [s].
     longest_pause: float = LIMITS.min_pause
     is_silent: bool = False
-    #: When a message last asked it for an answer, and when it last requested or said goodbye.
+    #: When the host was last asked for an answer, last requested again, and last said goodbye.
     asked_at: float = 0.0
     rerequested_at: float = 0.0
     last_goodbye: float = 0.0
@@ -34,15 +34,15 @@ class Activity:
     payload: int = 0
 
     @property
-    def max_pause(self) -> float:
-        """The longest pause until the host counts as silent [s]; infinite at first."""
+    def silence_limit(self) -> float:
+        """The pause after which the host counts as silent [s]; infinite at first."""
         limit = 3 * self.longest_pause - LIMITS.renewal_period
         limit = min(LIMITS.silence_factor * self.longest_pause, limit)
         return limit if self.last - self.first >= LIMITS.baseline_time else float("inf")
 
     def record_message(self, time: float) -> float:
         """Record a message; return the duration of the outage that it ends [s], or 0."""
-        pause, limit = time - self.last, self.max_pause
+        pause, limit = time - self.last, self.silence_limit
         # A pause just above the limit is normal for this host; a longer one is an outage.
         self.longest_pause = max(self.longest_pause, pause if pause < 2 * limit else 0.0)
         outage = pause if self.is_silent or pause > limit else 0.0
@@ -75,26 +75,26 @@ class Presence:
         answers &= unicast & (kind != "TCP retransmission")
         goodbye = (rows["ends"] & (kind == "SPDP")) | (kind == "Close")
         ends = (rows[end].astype(str) for end in ("sender", "receiver"))
-        # An answer does not require one.
+        # Acknowledgements need no answer.
         wants = unicast & (rows["submessage"] != "ACKNACK")
         columns = (*ends, rows["time"], wants, again, answers, goodbye, rows["bytes"])
         for host, other, time, calls, asks, confirms, leaves, size in zip(*columns, strict=True):
             step, self.now = time - self.now, time
             if step > LIMITS.min_clock_step:
-                for voice in (*self.hosts.values(), *self.answers.values()):
-                    voice.last += step
+                for activity in (*self.hosts.values(), *self.answers.values()):
+                    activity.last += step
             if host not in self.hosts and time - begin > LIMITS.baseline_time:
                 self.changes.append((time, f"{host} joined"))
-            voice = self.hosts[host] = self.hosts.pop(host, Activity(time, time))
-            if outage := voice.record_message(time):
+            activity = self.hosts[host] = self.hosts.pop(host, Activity(time, time))
+            if outage := activity.record_message(time):
                 self.changes.append((time, f"{host} came back after {wording.duration(outage)}"))
-            voice.messages, voice.payload = voice.messages + 1, voice.payload + size
-            voice.rerequested_at = time if asks else voice.rerequested_at
+            activity.messages, activity.payload = activity.messages + 1, activity.payload + size
+            activity.rerequested_at = time if asks else activity.rerequested_at
             if calls and (other, host) in self.answers:
                 self.answers[other, host].asked_at = time
             if confirms:
                 self.answers.setdefault((host, other), Activity(time, time)).record_message(time)
-            voice.last_goodbye = time if leaves else voice.last_goodbye
+            activity.last_goodbye = time if leaves else activity.last_goodbye
         if len(self.hosts) > MAX_HOSTS:
             self.hosts = dict([*self.hosts.items()][-MAX_HOSTS:])
             kept = {*self.hosts}
@@ -116,30 +116,30 @@ class Presence:
             self.now = start + rows[-1][-1]
 
     def findings(self) -> list[Finding]:
-        """Return which hosts are silent, no longer answer, or refuse the packets of others."""
+        """Return findings on hosts that are silent, stopped answering, or refuse packets."""
         findings, now = list[Finding](), self.now
         for (host, port), times in self.refusals.items():
             callers = [caller for time, caller in times if now - time <= LIMITS.recent]
             if len(callers) > 1:
-                text = f"{host} refuses port {port}, where {listing(sorted({*callers}))} asked"
+                text = f"{host} refuses port {port}, where {join_names(sorted({*callers}))} asked"
                 findings.append(Finding("refuses", (host,), text))
-        for host, voice in self.hosts.items():
+        for host, activity in self.hosts.items():
             answers = [answer for (of, _), answer in self.answers.items() if of == host]
             last = max((answer.last for answer in answers), default=now)
-            was_silent = voice.is_silent
-            said_goodbye = voice.last_goodbye > voice.last - LIMITS.merge_time
-            if said_goodbye and now - voice.last > LIMITS.goodbye_timeout:
-                voice.is_silent, change = True, (voice.last, f"{host} left with a goodbye")
-            elif now - voice.last > voice.max_pause:
-                text = say("silent", host, now - voice.last, voice.longest_pause)
+            was_silent = activity.is_silent
+            said_goodbye = activity.last_goodbye > activity.last - LIMITS.merge_time
+            if said_goodbye and now - activity.last > LIMITS.goodbye_timeout:
+                activity.is_silent, change = True, (activity.last, f"{host} left with a goodbye")
+            elif now - activity.last > activity.silence_limit:
+                text = say("silent", host, now - activity.last, activity.longest_pause)
                 findings.append(Finding("silent", (host,), text))
-                voice.is_silent, change = True, (now, f"{host} fell silent: {text}")
+                activity.is_silent, change = True, (now, f"{host} fell silent: {text}")
             elif any(
-                answer.last == last and now - last > answer.max_pause < 2 * (answer.asked_at - last)
-                for answer in answers
+                one.last == last and now - last > one.silence_limit < 2 * (one.asked_at - last)
+                for one in answers
             ):
                 findings.append(Finding.of("answers no more", (host,), now - last))
-            if voice.is_silent and not was_silent:
+            if activity.is_silent and not was_silent:
                 self.changes.append(change)
         others = {(one.kind, one.hosts): one.evidence for one in findings if one.kind != "silent"}
         self.changes.extend((now, others[key]) for key in others if key not in self.reported)
@@ -148,12 +148,12 @@ class Presence:
         return findings
 
     def summary(self, begin: float) -> str:
-        """Return whether hosts are silent or request repetitions, in one or two sentences."""
-        there = {host: voice for host, voice in self.hosts.items() if not voice.is_silent}
+        """Summarize how many hosts are present, and which of them request messages again."""
+        there = {host: activity for host, activity in self.hosts.items() if not activity.is_silent}
         text = f"We did not see the start: {wording.count_noun(len(there), 'host')}"
         if self.now - begin < (first := LIMITS.baseline_time):
             return f"{text} so far. The first {first:.0f} s show how often each one sends."
         since = self.now - LIMITS.recent
-        again = [host for host, voice in there.items() if voice.rerequested_at >= since]
-        also = f"{listing(again)} requested messages again" if again else "none requests again"
+        again = [host for host, activity in there.items() if activity.rerequested_at >= since]
+        also = f"{join_names(again)} requested messages again" if again else "none requests again"
         return f"{text}, no host is silent, and {also}."

@@ -169,8 +169,8 @@ def _message_table(
 
     addresses = ip.format_addresses(carried.addresses)
     protocol = messages["protocol"]
-    kinds = rtps.message_kinds(), zenoh_messages.KINDS, zenoh.TCP_KINDS
-    submessages = rtps.SUBMESSAGE_NAMES, zenoh_messages.NAMES, zenoh.TCP_KINDS
+    kinds = rtps.message_kinds(), zenoh_messages.MESSAGE_KINDS, zenoh.TCP_KINDS
+    submessages = rtps.SUBMESSAGE_NAMES, zenoh_messages.MESSAGE_NAMES, zenoh.TCP_KINDS
     is_rtps = protocol == PROTOCOLS.index("RTPS")
     entity = np.where(is_rtps, messages["entity"], len(rtps.ENTITY_NAMES))
     named = {
@@ -210,7 +210,7 @@ def _event_table(events: Columns, since: Array, addresses: list[str]) -> DataFra
         {
             "time": since[events["frame"]],
             "frame": events["frame"] + 1,
-            "kind": categorical(events["kind"], network_events.KINDS),
+            "kind": categorical(events["kind"], network_events.EVENT_KINDS),
             "sender": categorical(events["source"], addresses),
             "receiver": categorical(events["target"], addresses),
             "port": events["port"],

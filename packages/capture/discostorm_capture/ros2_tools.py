@@ -36,7 +36,7 @@ PROC = Path("/proc")
 
 @cache
 def run_checks() -> dict[str, list[str]]:
-    """Return texts on what is wrong, by check. The network is recorded only once."""
+    """Return the problems found by each check. The network is recorded only once."""
     found = {"UDP buffers": [*_udp_drops()], "processes on this host": [*_crowded_domains()]}
     try:
         capture = record_all_interfaces()

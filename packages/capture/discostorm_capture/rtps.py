@@ -200,7 +200,7 @@ def _find_prefixes(
 
 
 def _classify_security_prefixes(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
-    """Return which security prefixes are not counted, and which precede encrypted keys."""
+    """Return two masks: security prefixes that are not counted, and those before encrypted keys."""
     prefix = np.isin(kind, (SEC_PREFIX, SRTPS_PREFIX))
     transformation = data[np.where(prefix, at + 7, 0)]
     after = np.roll(at, -1)

@@ -18,11 +18,11 @@ _SENTENCES: dict[str, str] = tomllib.loads(_FILE.read_text("utf-8"))
 
 def say(key: str, *values: Any) -> str:
     """Return a sentence with values in its gaps; lists are joined."""
-    single = (one if np.ndim(one) == 0 else listing([*map(str, one)]) for one in values)
+    single = (one if np.ndim(one) == 0 else join_names([*map(str, one)]) for one in values)
     return _SENTENCES[key].format(*single)
 
 
-def listing(names: Sequence[str] | Array) -> str:
+def join_names(names: Sequence[str] | Array) -> str:
     """Join names by commas; if there are many, only the first ones and the number of the rest."""
     if len(names) > MAX_NAMES:
         names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]

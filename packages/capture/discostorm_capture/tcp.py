@@ -140,7 +140,7 @@ def reassemble_streams(data: Bytes, streams: Streams, chosen: Array) -> StreamCo
 def _new_bytes_in_order(
     position: list[int], wire: list[int], size: list[int]
 ) -> Iterator[tuple[int, int, int, int]]:
-    """Yield segment, bytes to skip, length (0: nothing new, -1: gap or end), completing one."""
+    """Yield segment, bytes to skip, number of new bytes (-1: gap or end), completing segment."""
     expected = min(position[0], 0) if 0 in position else position[0]
     waiting: list[tuple[int, int]] = []
 

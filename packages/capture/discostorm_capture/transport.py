@@ -174,10 +174,10 @@ def _complete_datagrams(
             waiting.remove(datagram)
             complete.append(datagram)
     incomplete += [datagram for waiting in pending.values() for datagram in waiting]
-    contents = partial(_fragment_contents, data, fragments)
+    identities = partial(_fragment_identities, data, fragments)
     # All fragments of an incomplete datagram may repeat those of complete ones.
-    used = set().union(*map(contents, complete if incomplete else ()))
-    if missing := {part for part in map(contents, incomplete) if not part <= used}:
+    used = set().union(*map(identities, complete if incomplete else ()))
+    if missing := {part for part in map(identities, incomplete) if not part <= used}:
         notes[MISSING_FRAGMENTS_NOTE] += len(missing)
     return complete
 
@@ -188,10 +188,10 @@ def _is_contiguous(datagram: _PendingDatagram, lengths: list[int]) -> bool:
     return [*offsets] == [*accumulate((lengths[row] for row in rows), initial=0)][:-1]
 
 
-def _fragment_contents(
+def _fragment_identities(
     data: Bytes, fragments: Columns, datagram: _PendingDatagram
 ) -> frozenset[tuple[object, ...]]:
-    """Return addresses, id, offset and bytes of the fragments of a datagram."""
+    """Return what identifies each fragment of a datagram: addresses, id, offset and bytes."""
     return frozenset(
         (*(int(fragments[name][row]) for name in ("source", "target", "id", "offset")), content)
         for row in datagram.rows.values()

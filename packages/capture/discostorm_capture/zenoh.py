@@ -21,10 +21,10 @@ TCP_KINDS = ("TCP ACK", "TCP control", "TCP retransmission")
 _ACK, _CONTROL, _RETRANSMISSION = range(3)
 _ROUTER, _UNKNOWN_ROLE = 0, 3
 _ROLES = ("router", "peer", "client")
-_HELLO, _TOKEN = map(zenoh_messages.NAMES.index, ("Hello", "DeclareToken"))
-_KEY_EXPRESSION = zenoh_messages.NAMES.index("DeclareKeyExpr")
+_code_of = zenoh_messages.MESSAGE_NAMES.index
+_HELLO, _TOKEN, _KEY_EXPRESSION = map(_code_of, ("Hello", "DeclareToken", "DeclareKeyExpr"))
 #: Codes of declarations of endpoints. A DeclareToken also declares one if it names one of ROS 2.
-_ENDPOINT_CODES = [*map(zenoh_messages.NAMES.index, ("DeclareSubscriber", "DeclareQueryable"))]
+_ENDPOINT_CODES = [*map(_code_of, ("DeclareSubscriber", "DeclareQueryable"))]
 #: IPv4 address of a locator in a Hello: where its process listens.
 _IPV4_LOCATOR = re.compile(
     rb"/((?:(?:25[0-5]|2[0-4]\d|1?\d?\d)\.){3}(?:25[0-5]|2[0-4]\d|1?\d?\d)):"
@@ -46,14 +46,14 @@ class _Roster:
     #: Frame, process and source address of each message with an identity; roles in them.
     sightings: list[tuple[int, int, int]] = field(default_factory=list)
     roles: dict[int, set[int]] = field(default_factory=lambda: defaultdict(set))
-    #: Maximum number of endpoints, and of endpoint tokens, that it declares to one other process.
+    #: Maximum number of endpoints, and of endpoint tokens, that a process declares to another one.
     declared_endpoints: dict[int, int] = field(default_factory=dict)
     endpoint_tokens: dict[int, int] = field(default_factory=dict)
     #: Frame, declaring process and text of each token that names an endpoint of rmw_zenoh.
     ros_tokens: list[tuple[int, int, re.Match[bytes]]] = field(default_factory=list)
-    #: The longest list of addresses that one of its messages names as listening addresses.
+    #: The longest list of listening addresses in one message of a process.
     listening_addresses: dict[int, set[int]] = field(default_factory=lambda: defaultdict(set))
-    #: The version of the protocol with which it opens sessions.
+    #: The version of the protocol with which a process opens sessions.
     versions: dict[int, int] = field(default_factory=dict)
 
     def add(self, zid: bytes, role: int, packets: Columns, row: int) -> int:
@@ -181,7 +181,7 @@ def _with_processes(
     opened: Openings, table: Columns, first: Array, opposite: Array, seen: _Roster
 ) -> Columns:
     """Return packets with their ``process``, and its ``peer``, given the first of each stream."""
-    process = np.full(len(first) + 1, -1, np.int64)  # the last element stands for no opposite
+    process = np.full(len(first) + 1, -1, np.int64)  # index -1 (no opposite) reads the last
     for stream, opening in opened.items():
         process[stream] = id_ = seen.add(opening.zid, opening.role, table, first[stream])
         seen.versions[id_] = opening.version
@@ -318,7 +318,7 @@ def _split_udp_sessions(
     opened: Openings = {}
     for row, session in zenoh_messages.session_openings(data, table["at"], table["end"]).items():
         opened.setdefault(int(stream[row]), session)
-    is_zenoh = np.zeros(len(pairs) + 1, bool)  # the last element stands for no opposite
+    is_zenoh = np.zeros(len(pairs) + 1, bool)  # index -1 (no opposite) reads the last
     is_zenoh[[*opened]] = True
     is_zenoh = is_zenoh[:-1] | is_zenoh[reverse]
     readable = np.bincount(stream, _is_readable_batch(data, table), len(pairs))

@@ -16,15 +16,15 @@ from discostorm.data import read_data
 from discostorm_capture._types import Array, Bytes, Columns, Offsets
 
 EndAndNumber = tuple[Offsets, Array]
-ROWS = read_data("vendors/zenoh_messages.csv", "discostorm_capture")
-NAMES = [row["name"] for row in ROWS] + ["unreadable"]
-KINDS = [row["kind"] for row in ROWS] + ["unreadable"]
-UNREADABLE = len(ROWS)
+MESSAGE_ROWS = read_data("vendors/zenoh_messages.csv", "discostorm_capture")
+MESSAGE_NAMES = [row["name"] for row in MESSAGE_ROWS] + ["unreadable"]
+MESSAGE_KINDS = [row["kind"] for row in MESSAGE_ROWS] + ["unreadable"]
+UNREADABLE = len(MESSAGE_ROWS)
 #: The code of a message, its row in the data file, by layer and id.
-CODES = {row["layer"]: np.full(64, UNREADABLE, np.uint8) for row in ROWS}
+CODES = {row["layer"]: np.full(64, UNREADABLE, np.uint8) for row in MESSAGE_ROWS}
 #: The layout of each message, by layer and kind.
 _LAYOUTS: dict[str, dict[int, str]] = {layer: {} for layer in CODES}
-for _code, _row in enumerate(ROWS):
+for _code, _row in enumerate(MESSAGE_ROWS):
     CODES[_row["layer"]][int(_row["id"], 16)] = _code
     _LAYOUTS[_row["layer"]][int(_row["id"], 16) & 0x1F] = _row["layout"]
 _MESSAGES = _LAYOUTS["transport"] | _LAYOUTS["network"] | {0x1E: "int?A ext?Z @ declaration"}
@@ -72,7 +72,7 @@ def _layout_parts(layout: str) -> list[tuple[str, str, int]]:
 def _read_by_kind(
     layouts: dict[int, str], data: Bytes, at: Offsets, end: Offsets, _: Array
 ) -> EndAndNumber:
-    """Return ends and numbers of messages, each read by the layout of its kind."""
+    """Read each message with the layout of its kind; return where it ends, and its number."""
     head, after, number = data[at], end + 1, np.zeros(len(at), np.int64)
     for kind, layout in layouts.items():
         rows = np.flatnonzero(head & 0x1F == kind)
@@ -195,7 +195,7 @@ def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
     """Return the messages in batches, given the first byte and the end of each batch.
 
     One row per message: the index of its ``batch``; ``at`` and ``end``; ``code``, an index of
-    `NAMES`; ``head``, its first byte; ``number``. The unreadable rest of a batch is one message.
+    `MESSAGE_NAMES`; ``head``, its first byte; ``number``. The unreadable rest of a batch is a row.
     """
     batch = np.arange(len(at))
     steps: list[tuple[Array, ...]] = [(batch[:0], at[:0], at[:0], batch[:0], batch[:0], batch[:0])]

@@ -82,7 +82,7 @@ class SimulatedChange:
         return not self.remedy.all_discover, *ranks
 
     def to_dict(self, within: float, today: DiscoveryTime | None) -> dict[str, Any]:
-        """Return what JSON can hold."""
+        """Return a dict for JSON."""
         time = self.time
         return {
             "name": self.name,
@@ -190,7 +190,7 @@ class DiscoveryResult:
         return (False, today.is_lower_bound, today.rank) if today else (True,)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what JSON can hold."""
+        """Return a dict for JSON."""
         return {
             "within_s": self.within,
             "works": self.works if self.today else None,

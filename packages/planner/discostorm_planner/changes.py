@@ -100,9 +100,9 @@ class Change:
     radio: Callable[[Radio], Radio] | None = None
     #: A note on the change alone, and the part of the note that also holds in a combination.
     note: str = ""
-    basis_note: str = ""
-    steps: tuple[str, ...] = ()
+    combined_note: str = ""
+    kinds: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "note", self.note or self.basis_note)
-        object.__setattr__(self, "steps", self.steps or (self.kind,))
+        object.__setattr__(self, "note", self.note or self.combined_note)
+        object.__setattr__(self, "kinds", self.kinds or (self.kind,))

@@ -127,6 +127,6 @@ def _host_instructions(host: HostFiles) -> str:
     }
     staggered = SLEEP_FILE in files
     shown = {"start": True, service: service, "variables": variables, "staggered": staggered}
-    texts = tomllib.loads(_template("host.toml"))
+    texts = tomllib.loads(_template("host_readme.toml"))
     parts = [*(part for part, wanted in shown.items() if wanted), "back"]
     return "".join(texts[part].format(**values) for part in parts)

@@ -92,7 +92,7 @@ class DiscoveryTime:
         return sum(time < math.inf and expired > 0 for time, expired in runs)
 
     def is_shorter_than(self, other: DiscoveryTime) -> bool:
-        """Return if the median is `MIN_RELATIVE_GAIN` shorter and the intervals do not overlap.
+        """Return whether the median is `MIN_RELATIVE_GAIN` shorter and the intervals are disjoint.
 
         If neither completes, the one with more completed pairs counts as shorter.
         """

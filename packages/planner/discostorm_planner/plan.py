@@ -182,10 +182,10 @@ def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Re
     burst = combine(join, [part.burst_range for part in parts])
     # Nouns first: "leaving out services and a server" would read as leaving out both.
     named = sorted(steps, key=lambda step: is_gerund(step.what))
-    rows = [rule_for(kind, new.protocol) for step in named for kind in step.steps]
+    rows = [rule_for(kind, new.protocol) for step in named for kind in step.kinds]
     note = steps[0].note
     if len(steps) > 1:
-        note = wording.join_sentences(*dict.fromkeys(s.basis_note for s in steps if s.basis_note))
+        note = wording.join_sentences(*dict.fromkeys(s.combined_note for s in steps))
     elif steps[0].kind == "middleware":
         note = session_setup_note(base, new.protocol, before.single, after.single, window)
     return Remedy(
@@ -204,7 +204,7 @@ def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Re
         start_window=drained_range(burst, steady).bounds[0],
         note=note,
         efforts=tuple(row["effort"] for row in rows),
-        steps=tuple(kind for step in steps for kind in step.steps),
+        steps=tuple(kind for step in steps for kind in step.kinds),
         best_case=any(row["gain"] == "best case" for row in rows),
     )
 
@@ -231,7 +231,7 @@ def _best_sets(
         for steps in combinations(usable, count):
             if len({step.slot for step in steps}) < count:
                 continue
-            if sum(len(step.steps) for step in steps) > _MAX_STEPS:
+            if sum(len(step.kinds) for step in steps) > _MAX_STEPS:
                 continue
             after[steps] = taken = base.with_changes(steps).utilization(window)
             before = base.baseline_of(steps).utilization(window)

@@ -47,10 +47,10 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
         if row["family"] != protocol.family and not switches:
             continue
         kind, what = row["kind"], row["title"]
-        base, note, steps = None, "", [kind]
+        base, note, kinds = None, "", [kind]
         if switches:
             what = f"switching to {name} with {what}"
-            steps = ["middleware", *steps]
+            kinds = ["middleware", *kinds]
         elif protocol.basis != "mitigated" and not rules.same_table(product, protocol):
             base = product
             note = f"both values use the measured model of {product.name.replace(', ', ' with ')}"
@@ -66,7 +66,7 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
                 note = f"{note}, and " * bool(note)
                 note += f"the server forwards everything, as in {release}"
         yield Change(
-            kind, what, "table", table=table, baseline=base, basis_note=note, steps=tuple(steps)
+            kind, what, "table", table=table, baseline=base, combined_note=note, kinds=tuple(kinds)
         )
 
 

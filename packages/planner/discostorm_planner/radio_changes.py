@@ -36,7 +36,7 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
             f"sending multicast at {rates}",
             "multicast rate",
             radio=lambda old: replace(old, multicast_rate=FASTER_MULTICAST_RATE, name=None),
-            basis_note=basis,
+            combined_note=basis,
         )
     for changes in OTHER_RADIOS:
         other = _other_radio(radio, changes)
@@ -47,7 +47,7 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
                 "radio",
                 radio=lambda old, changes=changes: _other_radio(old, changes),  # type: ignore[misc]
                 note=_comparison_note(radio, other, basis),
-                basis_note=basis,
+                combined_note=basis,
             )
     if most_mpdus(radio.standard) == 1:
         yield f"aggregation: {radio.standard} has none"
@@ -59,7 +59,7 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
             f"aggregating up to {MAX_MPDUS} frames",
             "aggregation",
             radio=lambda r: replace(r, mpdus=min(MAX_MPDUS, most_mpdus(r.standard)), name=None),
-            basis_note=basis,
+            combined_note=basis,
         )
 
 

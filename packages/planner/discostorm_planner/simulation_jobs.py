@@ -99,7 +99,7 @@ class WorkMeter:
 
 
 def simulated_fleet(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], ...]]:
-    """Return a fleet of integer endpoints, and the groups whose mean endpoints were rounded."""
+    """Return the fleet with whole numbers of endpoints, and the groups whose mean was rounded."""
     groups = tuple(group.with_integer_endpoints() for group in fleet.groups)
     pairs = zip(fleet.names, fleet.groups, groups, strict=True)
     means = ((name, float(own.endpoints), float(whole.endpoints)) for name, own, whole in pairs)

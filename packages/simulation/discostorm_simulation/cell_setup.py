@@ -261,11 +261,11 @@ def kind_records(
     return records
 
 
-def kind_records_of_cells(kinds: Records, others: Sequence[Records], wired: bool) -> Records:
-    """Return the rows once for each cell, with the octets and airtimes of frames there."""
-    rows = np.tile(kinds, 1 + len(others) + wired)
+def repeat_kind_records(first_cell: Records, others: Sequence[Records], wired: bool) -> Records:
+    """Return the rows once for each cell, with that cell's octets and airtimes of frames."""
+    rows = np.tile(first_cell, 1 + len(others) + wired)
     for name in ("octets", "time_up", "time_down"):
-        own = np.concatenate([own[name] for own in (kinds, *others)])
+        own = np.concatenate([own[name] for own in (first_cell, *others)])
         rows[name][: own.size], rows[name][own.size :] = own, 1
     return rows
 
@@ -279,11 +279,11 @@ def cells_of_hosts(fleet: Fleet) -> NDArray[np.int64]:
 
 @dataclass(frozen=True)
 class BurstSchedule:
-    """Scheduled bursts of a host: sets of messages, periods, and send times after the start."""
+    """A host's bursts: rows, periods [s], and sends (time after the start [s], burst)."""
 
-    messages: tuple[tuple[int, ...], ...]
-    period: tuple[float, ...]
-    times: tuple[tuple[float, int], ...]
+    rows_by_burst: tuple[tuple[int, ...], ...]
+    periods: tuple[float, ...]
+    sends: tuple[tuple[float, int], ...]
 
 
 def bursts_of(protocol: Protocol, rows: Sequence[int]) -> BurstSchedule:
@@ -300,9 +300,9 @@ def bursts_of(protocol: Protocol, rows: Sequence[int]) -> BurstSchedule:
                 rule = f"period must be at least {TICK:g} s to be simulated"
                 raise ValueError(f"{label(protocol, message)}: {rule}; got {schedule.period:g}")
     sets: dict[tuple[tuple[int, ...], float], int] = {}
-    times = [
+    sends = [
         (time, sets.setdefault((tuple(together), period), len(sets)))
         for (time, period), together in sorted(at.items())
     ]
-    messages, periods = zip(*sets, strict=True) if sets else ((), ())
-    return BurstSchedule(messages, periods, tuple(times))
+    rows_by_burst, periods = zip(*sets, strict=True) if sets else ((), ())
+    return BurstSchedule(rows_by_burst, periods, tuple(sends))

@@ -17,9 +17,9 @@ from discostorm.wifi.radio import aggregation_bounds
 from discostorm_simulation import NoRecovery, starts
 
 #: Column: convergence time of the same runs without user data [s].
-WITHOUT_DATA = "convergence_without_data_s"
+WITHOUT_DATA_COLUMN = "convergence_without_data_s"
 #: Column heads of the delays in the table of topics.
-DELAYS = {"delay_median_s": "median delay", "delay_95_s": "95%", "delay_most_s": "most"}
+DELAY_HEADS = {"delay_median_s": "median delay", "delay_95_s": "95%", "delay_most_s": "most"}
 
 
 @dataclass(frozen=True)
@@ -190,15 +190,15 @@ def simulate(
         if name in alone and not modeled:
             said += compare_drain_times(one, alone[name])
         click.echo(out.visible(wording.wrap(said)) + "\n")
-    shown = ("run", "drain_time_s", "lost", "convergence_time_s", WITHOUT_DATA, "collisions")
+    shown = ("run", "drain_time_s", "lost", "convergence_time_s", WITHOUT_DATA_COLUMN, "collisions")
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():
         table = one.table().reset_index()
         if name in alone:
             place = list(table).index("convergence_time_s") + 1
-            table.insert(place, WITHOUT_DATA, alone[name].convergence_time)
+            table.insert(place, WITHOUT_DATA_COLUMN, alone[name].convergence_time)
         if name in refused:
-            without = [c for c in ("convergence_time_s", WITHOUT_DATA) if c in table]
+            without = [c for c in ("convergence_time_s", WITHOUT_DATA_COLUMN) if c in table]
             table[without] = None if output.as_csv else float("nan")
         named = {"protocol": name} if len(protocols) > 1 else {}
         kept = table if output.as_csv else table[[c for c in table if c in shown]]
@@ -208,7 +208,7 @@ def simulate(
         Column("drain_time_s", "drained", options.time, "s"),
         Column("lost", format=out.percent),
         Column("convergence_time_s", "converged", options.time, "s"),
-        Column(WITHOUT_DATA, "without data", options.time, "s"),
+        Column(WITHOUT_DATA_COLUMN, "without data", options.time, "s"),
     )
     out.print_table(rows, output, printed)
     if alone and output.for_people:
@@ -241,11 +241,11 @@ def _user_data_rows(found: dict[str, ds.Simulation]) -> list[dict[Any, Any]]:
         for topic, own in one.data.items():
             frames, arrived = float(own["frames"].sum()), float(own["arrived"].sum())
             # Leave out runs in which no frame arrived: their delay is NaN.
-            seen = {key: [one for one in own[key].tolist() if one == one] for key in DELAYS}
+            seen = {key: [one for one in own[key].tolist() if one == one] for key in DELAY_HEADS}
             row: dict[Any, Any] = {"protocol": name} if len(found) > 1 else {}
             row |= {"topic": topic, "frames": median(own["frames"].tolist())}
             row |= {"arrived": arrived / frames if frames else 0.0}
             for key, times in seen.items():
-                row[DELAYS[key]] = wording.duration(median(times)) if times else "none arrived"
+                row[DELAY_HEADS[key]] = wording.duration(median(times)) if times else "none arrived"
             rows.append(row)
     return rows

@@ -43,10 +43,10 @@ def build_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, N
     processes["mute"] = kinds["to_host"].any() & ~speaking
     part = _initial_fractions(setup, for_parts)
     pairs, received = _initial_pairs(setup, part)
-    bursts = np.zeros((max(1, len(setup.bursts.messages)), rows + 1), np.int64)
-    for number, messages in enumerate(setup.bursts.messages):
+    bursts = np.zeros((max(1, len(setup.bursts.rows_by_burst)), rows + 1), np.int64)
+    for number, messages in enumerate(setup.bursts.rows_by_burst):
         bursts[number, list(messages)] = 1
-        bursts[number, rows] = to_ticks(setup.bursts.period[number])
+        bursts[number, rows] = to_ticks(setup.bursts.periods[number])
     due = _first_events(setup, starts, processes, for_phases)
     events = np.zeros(2 * len(due) + 1024, st.EVENT)
     events[: len(due)] = due
@@ -64,7 +64,7 @@ def build_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, N
     state["stamp"] = setup.user_data.stamp if setup.user_data else 0
     # The xorshift generator must not start at zero.
     state["random"] = (for_run.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
-    once = sum(setup.bursts.period[burst] == 0 for _, burst in setup.bursts.times)
+    once = sum(setup.bursts.periods[burst] == 0 for _, burst in setup.bursts.sends)
     state["events"], state["coming"] = len(due), count * once
     if repairs is not None:
         state["repairs"], state["pairs"] = 1, pairs_to_complete(setup, processes, pairs).sum()
@@ -127,7 +127,7 @@ def _initial_fractions(setup: Setup, seed: np.random.SeedSequence) -> NDArray[np
     # Multiples of 2^-20 keep sums with whole numbers exact.
     part = np.random.default_rng(seed).integers(2**20, size=setup.shares.each.shape) / 2**20
     for burst in setup.user_data.bursts if setup.user_data else ():
-        rows = [row for row in setup.bursts.messages[burst] if setup.kinds["user"][row]]
+        rows = [row for row in setup.bursts.rows_by_burst[burst] if setup.kinds["user"][row]]
         # All rows of a sample share one fraction, so that a short sample goes to one host.
         part[:, rows] = part[:, rows[:1]]
     return part
@@ -174,7 +174,7 @@ def _first_events(
     due = [
         (to_ticks(start + time), int(st.SEND) | host | (burst << st.PROCESS_BITS))
         for host, start in enumerate(starts)
-        for time, burst in setup.bursts.times
+        for time, burst in setup.bursts.sends
     ]
     if setup.repairs is not None:
         (initial,), (lease,) = setup.repairs["announce_interval_initial"], setup.repairs["lease"]

@@ -80,13 +80,13 @@ class Setup:
 
     @property
     def patience(self) -> float:
-        """The time without progress of discovery after which a run ends [s]."""
+        """How long a run may go without discovery progress before it ends [s]."""
         if self.repairs is None or not np.isfinite(self.scenario.give_up):
             return np.inf
         names = ["announce_interval_max", "heartbeat_period_max"]
         names += ["rto_max"] * bool((self.kinds["tcp"] * (self.kinds["role"] == st.DATA)).any())
         longest = max(float(self.repairs[name][0]) * TICK for name in names)
-        return float(self.scenario.give_up * max([longest, *self.bursts.period]))
+        return float(self.scenario.give_up * max([longest, *self.bursts.periods]))
 
     @property
     def until(self) -> float:
@@ -123,7 +123,7 @@ class Setup:
         span = float(np.ptp(starts)) + (self.until if np.isfinite(self.until) else 0.0)
         again = span * sum(
             float(of_row[list(rows)].sum()) / period
-            for rows, period in zip(self.bursts.messages, self.bursts.period, strict=True)
+            for rows, period in zip(self.bursts.rows_by_burst, self.bursts.periods, strict=True)
             if period
         )
         looks = pairs = 0.0
@@ -184,7 +184,7 @@ def set_up(scenario: Scenario) -> Setup:
         bursts=bursts,
         radio=radio,
         cell_of=cell_of,
-        kinds_of_cells=cell_setup.kind_records_of_cells(kinds, others, scenario.fleet.has_wired),
+        kinds_of_cells=cell_setup.repeat_kind_records(kinds, others, scenario.fleet.has_wired),
         repairs=repairs,
         loss=np.where(cell_of < len(channels), errors, 0.0),
         power=_power_factors(scenario.power, count),

@@ -27,7 +27,7 @@ QUANTILES = {"delay_median_s": 0.5, "delay_95_s": 0.95, "delay_most_s": 1.0}
 
 @dataclass(frozen=True)
 class UserData:
-    """User data: indices in `BurstSchedule.messages`, periods [s], groups, resolution [ticks]."""
+    """User data: indices of bursts, periods [s], host groups, and resolution of delays [ticks]."""
 
     bursts: tuple[int, ...]
     periods: tuple[float, ...]
@@ -100,8 +100,8 @@ def add_user_data_bursts(
     groups = tuple(row.unit.group or 0 for row in firsts)
     # The stamps must distinguish delays up to twice a queue's lifetime and a margin.
     stamp = to_ticks(max(_STAMP, min(2 * lifetime + 1.0, until) / st.ITEMS))
-    both = replace(bursts, messages=bursts.messages + messages, period=bursts.period + periods)
-    own = tuple(range(len(bursts.messages), len(both.messages)))
+    both = BurstSchedule(bursts.rows_by_burst + messages, bursts.periods + periods, bursts.sends)
+    own = tuple(range(len(bursts.rows_by_burst), len(both.rows_by_burst)))
     return both, UserData(own, periods, groups, stamp)
 
 

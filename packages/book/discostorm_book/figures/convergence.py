@@ -72,7 +72,7 @@ def _draw_cell(axis: Axes, column: int, line: int, row: pd.Series) -> None:
     axis.text(column + 0.5, line + 0.52, text, ha="center", va="center", **look)
 
 
-#: Position of runs that did not converge: above two minutes, in powers of ten.
+#: Where runs that never converged are drawn, above two minutes: log10 of a time [s].
 NEVER_AT = 2.4
 
 
@@ -114,9 +114,9 @@ def times_by_window(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
                 star = rule[(rule["protocol"] == protocol) & (rule["hosts"] == hosts)]
                 look: Style = {"color": color, "ms": 11, "mec": "black", "mew": 0.6}
                 axis.plot(star["rule_s"], star[time], "*", **look)
-                at = (0.31, rows[time].iloc[0])
-                look = {"ha": "right", "va": "center", "color": COLORS[protocol]}  # tints are pale
-                write_text(axis, f"{hosts} robots", at, (0, 0), **look)
+                # Full color: the tints are too pale for text.
+                look = {"ha": "right", "va": "center", "color": COLORS[protocol]}
+                write_text(axis, f"{hosts} robots", (0.31, rows[time].iloc[0]), (0, 0), **look)
             axis.set(xscale="log", yscale="log", xlim=(0.05, 55), xlabel="window of the starts [s]")
             drawing.set_ticks(axis.xaxis, [0.5, 1, 2, 5, 10, 20, 45])
             drawing.set_ticks(axis.yaxis, [1, 2, 5, 10, 20, 50])

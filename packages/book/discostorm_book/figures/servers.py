@@ -27,10 +27,10 @@ TOPIC_NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matchi
 _HOST_COUNTS = np.arange(1.0, 5001)
 _SERIES = light_colors("series")
 _HUB_CONFIGURATION = "Zenoh router per host, one hub"
-_NAME_ROWS = read_data("vendors/short_names.csv", "discostorm_book")
+_CONFIGURATION_NAMES = read_data("vendors/short_names.csv", "discostorm_book")
 #: Names of configurations for people, and shorter ones.
 FULL_NAMES, _SHORT_NAMES = (
-    {row["configuration"]: row[c] for row in _NAME_ROWS} for c in ("name", "short")
+    {row["configuration"]: row[c] for row in _CONFIGURATION_NAMES} for c in ("name", "short")
 )
 #: Consequences of a failed server or router: color and mark.
 CONSEQUENCES = {

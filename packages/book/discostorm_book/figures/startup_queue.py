@@ -173,7 +173,7 @@ def fleet_airtimes_data(
 
 
 def fleet_airtimes(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Figure:
-    """Draw the airtime of large fleets by part, and small robots alone and beside a laptop."""
+    """Draw airtime per kind of pair, and utilization of small robots with and without a laptop."""
     with book_figure(3.3, "A laptop costs more than half as much as a robot") as figure:
         bars, lines = figure.subplots(1, 2, width_ratios=(1, 1.5))
         order = large.iloc[::-1].reset_index(drop=True)

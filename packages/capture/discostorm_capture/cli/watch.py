@@ -41,10 +41,10 @@ MAX_HOST_ROWS, MAX_KIND_ROWS = 20, 8
 MESSAGE_COLUMNS = ("message", "per_second", "messages", "bytes")
 HOST_COLUMNS = ("host", "products", "first", "last", "sent", "bytes")
 #: Programs that capture: options, what they print, the script that starts them; texts on metrics.
-CAPTURING = tomllib.loads(data_path("written/capturing.toml", "discostorm_capture").read_text())
+PROGRAM_DATA = tomllib.loads(data_path("written/capturing.toml", "discostorm_capture").read_text())
 #: Time for a program to report that it cannot capture, and to end [s].
 STARTUP_WAIT, SHUTDOWN_WAIT = 0.3, 5.0
-PORTS = click.IntRange(1, 65535)
+PORT_TYPE = click.IntRange(1, 65535)
 
 
 @click.command(help=read_command_help("watch"))
@@ -54,7 +54,7 @@ PORTS = click.IntRange(1, 65535)
 @wifi_options
 @click.option("--seconds", type=float, metavar="S", help=OPTIONS["seconds"])
 @click.option("--follow-fleet", "follows", is_flag=True, help=OPTIONS["follow-fleet"])
-@click.option("--prometheus", "port", type=PORTS, metavar="PORT", help=OPTIONS["prometheus"])
+@click.option("--prometheus", "port", type=PORT_TYPE, metavar="PORT", help=OPTIONS["prometheus"])
 @click.option("--text-file", **FILE_ARGS, help=OPTIONS["text-file"])
 def watch(
     interface: str | None,
@@ -167,11 +167,11 @@ def open_pcap(interface: str | None) -> Iterator[BinaryIO]:
     if interface is None:
         yield standard_input()
         return
-    program = next(filter(shutil.which, CAPTURING["options"]), None)
+    program = next(filter(shutil.which, PROGRAM_DATA["options"]), None)
     if program is None:
         raise cli_output.BadInput(say("no program"))
-    options = ["-i", interface, *CAPTURING["options"][program]]
-    command = ["/bin/sh", "-c", CAPTURING["wrapper"], "sh", program, *options]
+    options = ["-i", interface, *PROGRAM_DATA["options"][program]]
+    command = ["/bin/sh", "-c", PROGRAM_DATA["wrapper"], "sh", program, *options]
     with Popen(command, stdin=PIPE, stdout=PIPE, stderr=PIPE, start_new_session=True) as running:
         try:
             with contextlib.suppress(TimeoutExpired):
@@ -194,10 +194,10 @@ def open_pcap(interface: str | None) -> Iterator[BinaryIO]:
 def _explain_failure(program: str, interface: str, text: str) -> str:
     """Return why a program cannot capture, and what to do about it."""
     lines = [line for line in text.strip().splitlines() if "listening on" not in line]
-    lines = [line for line in lines if not line.startswith(tuple(CAPTURING["startup_lines"]))]
+    lines = [line for line in lines if not line.startswith(tuple(PROGRAM_DATA["startup_lines"]))]
     reason = lines[0].removeprefix(f"{program}: ") if lines else "it ended without a message"
     reason = reason.removeprefix(f"{interface}: ").rstrip(".")
-    known = CAPTURING["hints"].items()
+    known = PROGRAM_DATA["hints"].items()
     hints = [hint for words, hint in known if re.search(words, text, re.IGNORECASE)]
     hint = "".join(hints[:1]).replace("PROGRAM", program)
     return f"{program} cannot capture on {_checks.shorten_name(interface)}: {reason}{hint}"
@@ -249,7 +249,7 @@ def prometheus_text(state: Watch) -> str:
     values["finding"] = {kind: 1 for kind, _ in state.certain_findings}
     lines = []
     for name, by_kind in values.items():
-        lines += [f"# HELP discostorm_{name} {CAPTURING['metrics'][name]}"]
+        lines += [f"# HELP discostorm_{name} {PROGRAM_DATA['metrics'][name]}"]
         lines += [f"# TYPE discostorm_{name} {'counter' if name.endswith('total') else 'gauge'}"]
         for kind, value in by_kind.items():
             escaped = kind.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")

@@ -93,7 +93,7 @@ def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
 
 
 def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
-    """Report that the capture lacks confirmations: all writers without one stopped asking."""
+    """Report that the capture lacks confirmations: all writers waiting for one stopped asking."""
     obs, lacking = evidence.obs, evidence.incomplete_pairs
     for pair in lacking:
         beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)

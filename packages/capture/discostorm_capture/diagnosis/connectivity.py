@@ -14,7 +14,7 @@ from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import HEARTBEAT, MULTICAST_KINDS, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, server_clients
 from discostorm_capture.diagnosis.reachability import Reachability, reachability
-from discostorm_capture.sentences import listing, say
+from discostorm_capture.sentences import join_names, say
 
 
 def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
@@ -42,7 +42,7 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
         announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
         senders = obs.messages["sender"][obs.sender_index == member].astype(str)
         host = "".join(senders[-1:])
-        # Announced IPv6 addresses are not parsed.
+        # Skip hosts that send from IPv6 addresses: announced ones are not parsed.
         elsewhere = host and host not in announced and ":" not in host
         if announced and member not in working and elsewhere:
             # A process that multicasts is in this network: NAT and containers drop multicast.
@@ -51,14 +51,14 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
                 kind = "loopback"
             count = int(obs.isin("receiver", *announced).sum())
             answers = f", to which others sent {count} messages" if count else ""
-            text = f"{host} announces itself as {listing(announced)}{answers}"
+            text = f"{host} announces itself as {join_names(announced)}{answers}"
             wrong.setdefault(kind, {})[host] = text
     for kind, texts in wrong.items():
         yield Finding(kind, tuple(texts), "; ".join(texts.values()))
 
 
 def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts with a process that confirms no unicast: a client, or one of several."""
+    """Yield hosts where only some processes confirm unicast, or where a server's clients do not."""
     obs = evidence.obs
     directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0) & ~obs["multicast"]
     acks = directed & obs.isin("submessage", "ACKNACK")
@@ -127,7 +127,7 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
     mute = [*dict.fromkeys(ends[0] for ends in texts if ends[0] not in partly)]
     if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
         mutes = tuple(hosts[index] for index in mute)
-        yield Finding("unicast dropped", mutes, listing([*texts.values()]))
+        yield Finding("unicast dropped", mutes, join_names([*texts.values()]))
         return
     for index in mute:
         own = (text for pair, text in texts.items() if pair[0] == index)
@@ -136,7 +136,7 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
         which = tuple(dict.fromkeys(hosts[index] for index, _ in single))
         mutual = {*single} == {pair[::-1] for pair in single}
         kind = "pairs apart" if mutual else "one direction of pairs"
-        yield Finding(kind, which, listing([*single.values()]))
+        yield Finding(kind, which, join_names([*single.values()]))
 
 
 def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
@@ -145,7 +145,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     apart = {obs.hosts_of(pair.processes) for pair in evidence.incomplete_pairs}
     found = obs.links_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
     failed = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
-    # The caller must have got a Hello, which has the port.
+    # Skip callers that got no Hello: only a Hello has the port.
     vain = {pair: count for pair, count in failed.items() if pair in apart and pair[::-1] in found}
     if vain:
         times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}
@@ -160,26 +160,26 @@ def different_domains(evidence: Evidence) -> Iterator[Finding]:
     for _, table in known.groupby("protocol"):
         members = table.groupby(names)["host"].unique()
         hosts = tuple(chain.from_iterable(members))
-        said = [f"domain {domain} has {listing(found)}" for domain, found in members.items()]
+        said = [f"domain {domain} has {join_names(found)}" for domain, found in members.items()]
         if len(members) > 1 and len(hosts) == len({*hosts}):
-            # Two teams may share a network on purpose; then nobody keeps the default domain.
+            # Two teams sharing a network have several hosts each, and none in the default domain.
             teams = min(map(len, members)) > 1 and "0" not in members
-            yield Finding("two fleets" if teams else "two domains", hosts, listing(said))
+            yield Finding("two fleets" if teams else "two domains", hosts, join_names(said))
         single = members[names[table.index].value_counts()[members.index] == 1]
         for (host,) in single:
             if any(host in other and len(other) > 1 for other in members):
-                yield Finding("process alone", (host,), listing(said))
+                yield Finding("process alone", (host,), join_names(said))
 
 
 def refused_announcements(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that announce themselves to each other only at ports which all refuse."""
+    """Yield hosts that send each other announcements only to ports that all of them refuse."""
     hosts = tuple(sorted(evidence.obs.hosts_refused_by_all))
     if hosts:
         ports = [row[3] for row in evidence.obs.event_tuples("asked") if row[2] in hosts]
         yield Finding.of("no index", hosts, min(ports), max(ports))
 
 
-def used_up_indices(evidence: Evidence) -> Iterator[Finding]:
+def no_free_participant_index(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with as many processes as ports at which Cyclone DDS searches for them."""
     obs, ports = evidence.obs, dict[str, set[int]]()
     for _, _, host, port, _ in obs.event_tuples("asked"):
@@ -189,7 +189,7 @@ def used_up_indices(evidence: Evidence) -> Iterator[Finding]:
     running = [one for one in cyclone.tolist() if not evidence.endings[one]]
     for host, processes in obs.processes_by_host(running).items():
         found = ports.get(host, set())
-        # A port that a host refuses shows a search.
+        # A refused port shows that others searched for processes there.
         if len(refused & found) >= LIMITS.min_unanswered and len(processes) >= len(found):
             counts = len(processes), len(found), min(found), max(found)
             yield Finding.of("no free index", (host,), *counts)
@@ -211,7 +211,7 @@ def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -
     """Yield why no announcement is answered, such as different subnets or filtered multicast."""
     hosts, others = reach.hosts, obs.recording.packets_without_messages
     count = int((obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]).sum())
-    text = f"{listing(hosts)} announced themselves {count} times by multicast"
+    text = f"{join_names(hosts)} announced themselves {count} times by multicast"
     subnets = obs.subnet_numbers(hosts, 16).tolist()
     ((largest, size),) = Counter(subnets).most_common(1)
     if size < len(hosts):
@@ -219,18 +219,18 @@ def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -
         outside = tuple(host for host, one in pairs if one != largest or size == 1)
         yield Finding("other subnet", outside, say("other subnet", hosts))
         if size <= len(hosts) // 2 + 1:
-            return  # the subnets explain it
+            return  # different subnets explain the missing answers
     links = obs.links_of(obs.messages)
     links = {pair for pair in links if pair[::-1] in links} | obs.links_of(obs.events("connection"))
     unicast = sorted(pair for pair in links if {*pair} <= {*hosts})
     if unicast:
         kind = "multicast filtered"
-        text += f", and none answered, while {listing(unicast[0])} exchange unicast"
+        text += f", and none answered, while {join_names(unicast[0])} exchange unicast"
     elif asked := {pair: len(t) for pair, t in obs.unanswered_arp.items() if {*pair} <= {*hosts}}:
         kind, again = "client isolation", "again and again "
-        if max(asked.values()) < LIMITS.min_unanswered:  # so few requests were probably answered
+        if max(asked.values()) < LIMITS.min_unanswered:  # the capture probably lost the answers
             kind, again = "capture lost part", ""
-        counts = listing([f"{one} for {other}: {count}" for (one, other), count in asked.items()])
+        counts = join_names([f"{one} for {other}: {n}" for (one, other), n in asked.items()])
         text += say("asks by ARP", again, counts)
         if not again:
             text += " and no unicast, as if a third host had recorded it"
@@ -266,7 +266,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
         yield Finding("cut off", (hosts[index],), text + _describe_arp_replies(obs, hosts[index]))
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
-        # Not if the only host from which it receives nothing is one that reaches no other.
+        # Skip a host that misses only one other, if that one reaches no host.
         if unheard[deaf[index]].any() and deaf[index].sum() == 1:
             continue
         own = " ".join(obs.processes["announces"][obs.process_host == hosts[index]]).split()
@@ -282,7 +282,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
         deaf[index, :] = False
     for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
         text = f"none ever answered {hosts[index]}"
-        if answered := listing(hosts[reach.multicast_ok[index]]):
+        if answered := join_names(hosts[reach.multicast_ok[index]]):
             text = f"{hosts[index]} answers {answered}, and none of them ever answered it"
         yield Finding("one direction", (hosts[index],), text)
         deaf[:, index] = False
@@ -294,7 +294,7 @@ def _single_pair_findings(reach: Reachability, matrix: Array, what: str) -> Iter
     for kind, mask in (("pairs apart", both), ("one direction of pairs", matrix & ~both)):
         pairs = [(reach.hosts[row], reach.hosts[column]) for row, column in np.argwhere(mask)]
         if pairs:
-            text = listing([f"{one} {what} {other}" for one, other in pairs])
+            text = join_names([f"{one} {what} {other}" for one, other in pairs])
             yield Finding(kind, tuple(dict.fromkeys(one for one, _ in pairs)), text)
 
 
@@ -328,7 +328,7 @@ def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[F
         if not good[np.ix_(kept, kept)].any():
             pairs = wording.count_noun(int(apart.sum()) // 2, "pair")
             text = say("no unicast confirmed", hosts[kept], pairs)
-            served = listing(hosts[~kept & good[:, kept].all(axis=1)])
+            served = join_names(hosts[~kept & good[:, kept].all(axis=1)])
             if served:
                 text += f", while {served} exchanges unicast with all of them"
                 yield Finding("client isolation", tuple(hosts[kept]), text)
@@ -340,7 +340,7 @@ def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[F
             return
         groups = np.unique(good[np.ix_(kept, kept)] | np.eye(int(kept.sum()), dtype=bool), axis=0)
         if (groups.sum(axis=0) == 1).all() and 1 < groups.sum(axis=1).min() < kept.sum():
-            text = say("unicast in groups", "; ".join(listing(hosts[kept][of]) for of in groups))
+            text = say("unicast in groups", "; ".join(join_names(hosts[kept][of]) for of in groups))
             yield Finding("unicast dropped", tuple(hosts[kept]), text)
             return
     several = reach.observable.sum(axis=1) > 1
@@ -424,11 +424,11 @@ def _explain_separation(obs: Observations, groups: list[set[str]]) -> Finding:
     targets = _multicast_targets(obs)
     servers = obs.messages["sender"][np.isin(obs.sender_index, [*obs.servers])]
     few = tuple(sorted(set().union(*groups[1:]) - {*servers}))
-    text = say("groups apart", "; ".join(listing(sorted(group)) for group in groups))
+    text = say("groups apart", "; ".join(join_names(sorted(group)) for group in groups))
     looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
     if len(looking) > 1:
         sends = {host: [f"{to}, port {port}" for to, port in targets[host]] for host in targets}
-        texts = [f"{host} sends to {listing(sorted(to))}" for host, to in sorted(sends.items())]
+        texts = [f"{host} sends to {join_names(sorted(to))}" for host, to in sorted(sends.items())]
         return Finding("other group", few, "; ".join(texts))
     if looking and served:
         text = say("discovery by group", sorted(looking[0]), sorted(served[0] - looking[0]))

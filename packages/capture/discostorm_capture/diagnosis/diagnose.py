@@ -92,7 +92,7 @@ class Diagnosis:
         looking = {*obs.messages["sender"][obs.isin("kind", "Scout", "SPDP")].astype(str)}
         idle = [host for host in first.index if host in looking and host not in table.index]
         table = table.reindex([*table.index, *idle]).rename_axis("host")
-        # Without any process the column would be numeric.
+        # Set the type: without any process, the column would be numeric.
         empty = {"products": "", "processes": 0, "endpoints": 0}
         table = table.astype({"products": object}).fillna(empty)
         table = table.astype({"processes": int, "endpoints": int})
@@ -202,7 +202,7 @@ class Diagnosis:
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
             good = "complete and over, but " if self.over else "complete, but "
             if any(one.role for one in self.wrong):
-                good = ""  # some pair cannot work
+                good = ""  # a finding concerns pairs, so do not call discovery complete
             bad = ["healthy", *["complete"] * (self.complete is False)]
             bad += ["over"] * (self.over is False)
             state = f"{good if self.complete else ''}not {' and not '.join(bad)}"
@@ -253,7 +253,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     if obs.recording.truncated_share > LIMITS.max_truncated_share:
         causes, losses = list(connectivity.different_domains(evidence)), []
     if any(one.kind == "heavy loss" for one in losses):
-        # Heavy loss can look like a broken direction between two hosts.
+        # Drop broken directions between two hosts: heavy loss can look like them.
         causes = [one for one in causes if one.kind != "one direction of pairs"]
     causes = causes or list(unauthenticated_pairs(evidence))
     losses = losses or ([] if causes or lost else list(traffic.multicast_loss(evidence)))

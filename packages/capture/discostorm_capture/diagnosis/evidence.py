@@ -28,7 +28,7 @@ class Evidence:
         #: How each process ended: "left", "silent" or "".
         self.endings = _process_endings(obs)
         first, last = obs.first_last
-        #: Processes that said goodbye too early for a missing answer to count as a fault.
+        #: Processes that left so soon that a missing answer is no fault.
         brief = (self.endings == "left") & (last - first < LIMITS.timeout)
         self.brief_processes = {*np.flatnonzero(brief).tolist()}
         self.restart_chains = _restart_chains(obs, self.endings)
@@ -79,8 +79,8 @@ class Evidence:
 
 def _processes_before_capture(obs: Observations) -> set[int]:
     """Return the processes that had announced their endpoints before the capture began."""
-    # Some processes have samples confirmed that the capture lacks. Their announcements do not count
-    # as startup if they begin after sample 1, and long after the first message.
+    # First, processes with confirmed samples that the capture lacks. Announcements that begin after
+    # sample 1 and long after the first message are not startup.
     soon = obs.first_last[0] + LIMITS.max_startup_delay
     startup = {
         key
@@ -92,8 +92,8 @@ def _processes_before_capture(obs: Observations) -> set[int]:
         for (_, subject, writer), rows in pairs.acknowledgements(obs).items()
         if obs.seq[rows[0]] > 1 and (subject, writer) not in startup
     }
-    # Other processes are in contact with others without any message of a startup: announcements
-    # and Heartbeats of endpoints, a first acknowledgement, or a handshake.
+    # Second, processes that exchange unicast without any startup message: no announcement,
+    # Heartbeat, first acknowledgement or handshake.
     starts = obs.isin("kind", SEDP, HEARTBEAT, HANDSHAKE)
     starts |= obs.isin("submessage", "ACKNACK") & (obs.seq <= 1)
     settled = obs.senders(~obs["multicast"] & obs.isin("protocol", "RTPS")) - obs.senders(starts)
@@ -113,7 +113,7 @@ def _missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str
         rows, lacks = sent.get((subject, writer), acks[:0]), obs.seq[acks]
         if lacks.min() > 1 and not len(rows):
             continue
-        # A Discovery Server sends each sample only to the clients that need it.
+        # Count all samples of a Discovery Server, which sends each only to clients that need it.
         to_it = np.isin(obs.receiver_index[rows], (observer, -1)) | obs.is_server[subject]
         seqs = obs.seq[rows[to_it]]
         missing = int(lacks.max()) - 1 - len(np.unique(seqs[seqs < lacks.max()]))
@@ -128,7 +128,7 @@ def _silent_hosts(obs: Observations) -> dict[str, int]:
     answers = obs.isin("submessage", "ACKNACK") & (obs.seq > 1)
     answers |= obs.uses_keys
     answers |= zenoh_replies(obs) & (obs.sender_index >= 0)
-    # A host may announce another address than it sends from, such as that of Docker's bridge.
+    # Add announced addresses: a host may send from another one, as with Docker's bridge.
     spoke = {*obs.host_first_last, *obs.process_host, *obs.announced_addresses}
     counts = obs.messages["receiver"][answers & ~obs["multicast"]].astype(str).value_counts()
     counts = counts[counts >= LIMITS.min_answers]
@@ -136,11 +136,11 @@ def _silent_hosts(obs: Observations) -> dict[str, int]:
 
 
 def _process_endings(obs: Observations) -> Array:
-    """Return for each process "left" after a goodbye, "silent" without one, else ""."""
+    """Return how each process ended: "left" (with a goodbye), "silent", or "" if it did not."""
     closed = _observed_ends(obs)
-    # A process that only uses a server on its own host announces nothing in the capture.
+    # Skip RTPS processes without announcements: they may only use a server on their own host.
     announced = obs.senders(obs.isin("kind", "SPDP", *pairs.CLIENT_KINDS))
-    # A host out of range does not acknowledge segments.
+    # A host that acknowledges no segments is out of range: its silence counts sooner.
     vanished = {receiver: time for _, _, receiver, _, time in obs.event_tuples("vanished")}
     endings = np.full(len(obs.processes), "", object)
     for process, last in enumerate(obs.first_last[1]):

@@ -9,7 +9,7 @@ from typing import Any, Self
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm_capture.sentences import listing, say
+from discostorm_capture.sentences import join_names, say
 
 #: Thresholds of the rules by name, in the units of ``data/diagnosis/thresholds.csv``.
 _THRESHOLDS = read_data("diagnosis/thresholds.csv", "discostorm_capture")
@@ -66,7 +66,7 @@ class Finding:
     @property
     def summary(self) -> str:
         """What is wrong, in one clause; if there are two possible causes, both."""
-        summary = finding_kinds()[self.kind]["summary"].replace("HOSTS", listing(self.hosts))
+        summary = finding_kinds()[self.kind]["summary"].replace("HOSTS", join_names(self.hosts))
         return re.sub(r"\{(.*?)\|(.*?)\}", r"\2" if len(self.hosts) > 1 else r"\1", summary)
 
     @property
@@ -78,7 +78,7 @@ class Finding:
     def advice(self) -> str:
         """What to do about it, as text."""
         advice = remedies()[self.remedy]["what"] if self.remedy else ""
-        advice = advice.replace("HOSTS", listing(self.hosts) or "all hosts")
+        advice = advice.replace("HOSTS", join_names(self.hosts) or "all hosts")
         return advice.replace("RECORD", wording.TCPDUMP.format(file="discovery.pcap"))
 
     def to_dict(self) -> dict[str, Any]:

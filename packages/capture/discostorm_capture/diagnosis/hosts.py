@@ -12,7 +12,7 @@ from discostorm import _checks, wording
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import ExpectedHosts
-from discostorm_capture.sentences import listing, say
+from discostorm_capture.sentences import join_names, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 
@@ -22,9 +22,9 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
     seen = arp.groupby(["sender", "port"], observed=True)["frame"].agg(["count", "min", "max"])
     seen = seen[seen["count"] >= LIMITS.min_arp_packets]
     for address, macs in seen.groupby(level=0, observed=True):
-        # Not if one follows the other: then a host came back with another MAC address.
+        # One MAC after the other is no conflict: a host came back with another address.
         at_once = macs["min"].max() < macs["max"].min()
-        # Nor if it is one host: Linux answers at each interface for all of its addresses.
+        # Nor are two MACs of one host: Linux answers on each interface for all its addresses.
         own = arp["sender"][arp["port"].isin(macs.index.get_level_values("port"))]
         at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
@@ -33,13 +33,13 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts with the same MAC address, if pairs of all of them never completed."""
+    """Yield hosts that share a MAC address, if each of them has a pair that never completed."""
     obs = evidence.obs
     lacking = {*obs.hosts_of(one for pair in evidence.incomplete_pairs for one in pair.processes)}
-    # One host may have several addresses; then it announces all of them.
+    # Skip one host with several addresses: it announces all of them.
     own = [{*text.split()} for text in obs.processes["announces"]]
     arp = obs.events("ARP request", "ARP reply")
-    # An access point may answer ARP for other hosts with their addresses.
+    # Skip addresses with several MACs: an access point may answer ARP for other hosts.
     proxied = arp.groupby("sender", observed=True)["port"].transform("nunique") > 1
     for mac, rows in arp[arp["sender"].isin([*obs.host_first_last]) & ~proxied].groupby("port"):
         hosts = {*rows["sender"].astype(str)}
@@ -65,7 +65,7 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
 
 def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with IPv4 addresses of one subnet that use the same process id at one time."""
-    # Hosts have several IPv6 addresses in a subnet; servers with the same number have the same id.
+    # Skip IPv6 (several addresses per host) and servers (the same number gives the same id).
     obs, servers = evidence.obs, np.append(evidence.obs.is_server, True)
     mine = obs.messages[~servers[obs.sender_index]]
     spoke = mine.groupby(["process", "sender"], observed=True)["time"].agg(["min", "max"])
@@ -85,7 +85,7 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
     for scope in evidence.scopes:
         speakers[scope.protocol] |= {*scope.hosts}
     calls = evidence.obs.event_tuples("connection", "half", "refused", "unanswered")
-    # A port scanner calls this port among others.
+    # Skip port scanners, which call this port among others.
     ports = Counter(ends[:2] for ends in {row[1:4] for row in calls})
     called = {row[1:3] for row in calls if row[3] == ZENOH_PORT}
     speakers["Zenoh"] |= {ends[0] for ends in called if ports[ends] < LIMITS.port_search}
@@ -106,7 +106,7 @@ def different_settings(evidence: Evidence) -> Iterator[Finding]:
     for scope, (setting, kind) in product(evidence.scopes, kinds.items()):
         given = obs.processes.iloc[[*scope.members]]
         on, off = (sorted({*given["host"][given[setting] == way]}) for way in (True, False))
-        # With and without security, hosts ignore each other.
+        # Security is no obstacle if hosts with and without it exchange messages.
         if on and off and not (setting == "secured" and mixed.any()):
             yield Finding.of(kind, on if len(on) <= len(off) else off, on, off)
 
@@ -122,7 +122,7 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
         if len(old) >= LIMITS.min_new_samples and back >= LIMITS.min_clock_difference:
             step = wording.duration(back), rows["time"].iloc[late]
             yield Finding.of("clock steps", (str(host),), *step)
-        # Retransmitted samples carry an old time stamp.
+        # Only the newest time stamps count: retransmitted samples carry an old one.
         elif (ahead >= ahead.max() - LIMITS.max_age_difference).sum() >= LIMITS.min_new_samples:
             clocks[str(host)] = ahead.max()
     usual = median_high(clocks.values()) if clocks else 0.0
@@ -135,7 +135,7 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
         yield Finding.of("clock differs", hosts, said)
 
 
-def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
+def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
     """Yield addresses that hosts request by ARP: servers, if the capture has no messages."""
     obs = evidence.obs
     arp = obs.events("ARP request", "ARP reply")["sender"]
@@ -152,7 +152,7 @@ def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
             if near := obs.subnet_neighbors(target, sorted(obs.announced_addresses)):
                 text += say("same network", near, "is" if len(near) == 1 else "are")
         asks = [f"{of} asks {times} times by ARP for {target}" for of, times in counts.items()]
-        yield Finding(kind, (target,), f"{listing(asks)}{text}")
+        yield Finding(kind, (target,), f"{join_names(asks)}{text}")
 
 
 def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:
@@ -180,18 +180,18 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
     obs, expected = evidence.obs, evidence.obs.expected_hosts
     present = {str(host) for scope in evidence.scopes for host in scope.hosts}
     if isinstance(expected, int):
-        robots = sorted(present - obs.server_hosts)
-        if len(robots) < expected:
-            text = f"the capture shows {len(robots)} of {expected} expected hosts"
-            yield Finding("too few hosts", (), f"{text}{': ' + listing(robots) if robots else ''}")
+        seen = sorted(present - obs.server_hosts)
+        if len(seen) < expected:
+            text = f"the capture shows {len(seen)} of {expected} expected hosts"
+            yield Finding("too few hosts", (), f"{text}{': ' + join_names(seen) if seen else ''}")
     elif absent := tuple(host for host in expected or () if host not in present):
         others = {*obs.network_events["sender"].astype(str)}
-        silent = [host for host in absent if host in others]
-        text = f"{listing(absent)} announced nothing; {len(expected or ())} hosts are expected"
-        if silent:
-            text += f"; {listing(silent)} sent other packets, so the host itself is on the network"
-        if asks := [f"{by} asks for {of}" for by, of in obs.unanswered_arp if by in silent]:
-            text += f"; {listing(asks)} by ARP, and gets no answer"
+        mute = [host for host in absent if host in others]
+        text = f"{join_names(absent)} announced nothing; {len(expected or ())} hosts are expected"
+        if mute:
+            text += f"; {join_names(mute)} sent other packets, so the host itself is on the network"
+        if asks := [f"{by} asks for {of}" for by, of in obs.unanswered_arp if by in mute]:
+            text += f"; {join_names(asks)} by ARP, and gets no answer"
         yield Finding("missing", absent, text)
 
 

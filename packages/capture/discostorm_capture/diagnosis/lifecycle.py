@@ -8,11 +8,11 @@ import numpy as np
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.pairs import first_of_each_burst
-from discostorm_capture.sentences import listing, say
+from discostorm_capture.sentences import join_names, say
 
 
 def _format_times(times: Iterable[float]) -> str:
-    return listing([*dict.fromkeys(f"{time:.1f} s" for time in times)])
+    return join_names([*dict.fromkeys(f"{time:.1f} s" for time in times)])
 
 
 def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
@@ -34,7 +34,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
         if len(starts) >= LIMITS.min_loop_starts - 1:
             text = say("server restarts", *(hosts := obs.hosts_of([server])), _format_times(starts))
             yield Finding("crash loop", hosts, text)
-    # Only processes that others answered: the rest has another problem.
+    # Skip processes that received no messages: they have a different problem.
     met = sorted({*obs.receiver_index.tolist()} - {-1})
     left = [one for one in met if evidence.endings[one] == "left"]
     for host, ended in obs.processes_by_host(left).items():
@@ -134,7 +134,7 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
 
 
 def expired_leases(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts whose leases expired at others most often, so that they were rediscovered."""
+    """Yield the hosts most often rediscovered after an expired lease."""
     times, pairs = dict[str, list[float]](), Counter[str]()
     for pair in evidence.all_pairs:
         for host in evidence.obs.hosts_of(pair.processes):

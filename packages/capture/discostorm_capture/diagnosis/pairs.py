@@ -10,7 +10,7 @@ from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.finding import LIMITS
 from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 
-#: Kinds of SPDP messages that only clients of a Discovery Server send, to which SPDP is reliable.
+#: Kinds of messages that only Discovery Servers and their clients send: their SPDP is reliable.
 CLIENT_KINDS = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
 #: Added to the domain for each domain tag, because tags separate scopes; larger than any domain.
 TAG_OFFSET = 1000
@@ -70,7 +70,7 @@ def first_of_each_burst(times: Iterable[float]) -> list[float]:
 
 
 def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]]]:
-    """Return rows of samples and the last number of the startup, by process and writer."""
+    """Return announcement rows and the last sequence number of startup, by process and writer."""
     spoken = (obs.sender_index >= 0) & obs.isin("kind", SEDP, HEARTBEAT)
     sent = endpoint_announcements(obs)
     writers: dict[int, dict[int, tuple[Array, int]]] = {}
@@ -101,11 +101,11 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         ends = str(obs.process_host[subject]), str(obs.process_host[observer])
         complete, sent, forgotten = first, 0, set[float]()
         if complete == np.inf and ends[::-1] in spoke:
-            complete = np.nan  # if it discovered the subject, then before the capture
+            complete = np.nan  # the observer discovered the subject, if at all, before the capture
         announced = writers.get(subject, {})
         untold = not receivers & {(subject, observer), (subject, ends[1]), (subject, "")}
         if announced and untold and obs.end - max(first, back) > LIMITS.max_startup_pause:
-            complete = np.nan  # they exchange all but endpoints, so they knew these before
+            complete = np.nan  # they exchange all but announcements, which came before the capture
         if {subject, observer} & obs.secured_processes and not announced:
             # Announcements are encrypted, and only processes with keys receive them.
             complete = np.nan if (subject, observer) in obs.key_exchanges else np.inf
@@ -130,7 +130,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
 
 
 def _announcement_receivers(obs: Observations) -> set[tuple[int, int | str]]:
-    """Return pairs of process and receiver of SEDP: a process, a host, or "" for multicast."""
+    """Return who announced endpoints to whom: a process, else a host, or "" for multicast."""
     rows = np.flatnonzero(obs.isin("kind", SEDP, HEARTBEAT))
     hosts = np.where(obs["multicast"], "", obs.messages["receiver"].astype(str))[rows].tolist()
     ends = (index[rows].tolist() for index in (obs.sender_index, obs.receiver_index))
@@ -161,7 +161,7 @@ def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         for mask in (obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare"))
     )
     contact = first_contacts(obs)
-    # Sessions that began before the capture cannot be read.
+    # Times stay unknown for sessions that began before the capture: these cannot be read.
     spoke = _links_without_processes(obs) | obs.links_of(obs.events("exchange"))
     pairs = []
     nothing = np.zeros(0, np.int64)

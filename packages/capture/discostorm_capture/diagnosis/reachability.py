@@ -20,9 +20,9 @@ class Reachability:
     observable: Array
     #: Whether the row's host answered an announcement of the column's.
     multicast_ok: Array
-    #: Whether it confirmed a unicast message of the column's host.
+    #: Whether the row's host confirmed a unicast message of the column's.
     unicast_ok: Array
-    #: Whether the column's host sent it a unicast message that requires a confirmation.
+    #: Whether the column's host sent the row's a unicast message that requires a confirmation.
     unicast_tried: Array
 
     @property
@@ -70,17 +70,17 @@ def _fill_rtps(obs: Observations, reach: Reachability) -> None:
     host = np.array([*(index.get(address, -1) for address in obs.process_host), -1])
     by, of = host[obs.sender_index], host[obs.receiver_index]
     _set_cells(reach.multicast_ok, by, of)
-    # A message without receiving process goes to an address from an announcement.
+    # Unicast that names no receiver answers an announcement, which gave the address.
     plain = (obs.sender_index >= 0) & (obs.receiver_index < 0) & ~obs["multicast"]
     _set_cells(reach.multicast_ok, sender, receiver, plain)
-    # Keys follow the handshake, in which each step answers the previous one.
+    # Keys confirm unicast, too: each step of the handshake before them answers the previous one.
     confirms = obs.isin("submessage", "ACKNACK") & ((obs.seq > 1) | (obs["missing"] > 0))
     confirms |= obs.uses_keys
     _set_cells(reach.unicast_ok, by, of, confirms)
-    # A handshake may fail for other reasons; an empty Heartbeat gets no answer.
+    # Skip handshakes, which may fail for other reasons, and empty Heartbeats, which get no answer.
     asks = obs.isin("submessage", "HEARTBEAT", "DATA") & ~obs.isin("kind", "SPDP", HANDSHAKE)
     _set_cells(reach.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.seq > 0))
-    # A host with DDS Security confirms nothing to a host without it.
+    # Expect no confirmations between hosts with and without DDS Security.
     secured_hosts = obs.hosts_of(obs.secured_processes)
     secured = np.array([address in secured_hosts for address in reach.hosts], bool)
     reach.unicast_tried[secured[:, None] != secured] = False

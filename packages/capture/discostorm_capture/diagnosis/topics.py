@@ -16,7 +16,7 @@ from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import ACKNACK, SEDP, Observations
 from discostorm_capture.endpoints import RANKED_QOS, TIME_QOS, Endpoint, ros_topic, ros_type
-from discostorm_capture.sentences import listing, say
+from discostorm_capture.sentences import join_names, say
 
 #: Topics that each node of ROS 2 writes, and the topic on which processes list their nodes.
 NODE_TOPICS, GRAPH_TOPIC = ("rt/rosout", "rt/parameter_events"), "ros_discovery_info"
@@ -47,16 +47,16 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
         hosts = of_scope.groupby("what", sort=False)["host"].unique()
         shared = hosts[hosts.map(len) > 1]
         if len(shared) >= LIMITS.min_shared_topics:
-            text = listing([f"{what}{listing(by)}" for what, by in shared.items()])
+            text = join_names([f"{what}{join_names(by)}" for what, by in shared.items()])
             kind = "robots share topics" if " is read by " in text else "sources share topics"
             yield Finding(kind, tuple(sorted({*np.hstack([*shared])})), text)
     for (use, _, topic), rows in wrote:
         if use in FINDINGS_BY_USE and len(by := rows["host"].unique()) > 1:
-            text = f"{ros_topic(str(topic))} is written by {listing(by)}"
+            text = f"{ros_topic(str(topic))} is written by {join_names(by)}"
             yield Finding(FINDINGS_BY_USE[use], tuple(by), text)
 
 
-def services(evidence: Evidence) -> Iterator[Finding]:
+def service_problems(evidence: Evidence) -> Iterator[Finding]:
     """Yield services with several servers, or whose client runs another DDS than the server."""
     ends = evidence.endpoints[evidence.endpoints["topic"].astype(str).str.startswith("rq/")]
     product = evidence.obs.processes["product"].to_numpy(object)[ends["index"]]
@@ -75,7 +75,7 @@ def services(evidence: Evidence) -> Iterator[Finding]:
             )
 
 
-def older_distributions(evidence: Evidence) -> Iterator[Finding]:
+def different_distributions(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts where a process of ROS 2 announces no type hashes, as others do."""
     for _, ends in evidence.endpoints.groupby("scope"):
         ends = ends[ends["index"].isin(ends["index"][ends["topic"].eq(GRAPH_TOPIC)])]
@@ -87,7 +87,7 @@ def older_distributions(evidence: Evidence) -> Iterator[Finding]:
 
 
 def uninformed_clients(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts to whose clients a server or router announces no endpoints, unlike to others."""
+    """Yield hosts whose clients get no endpoints from a server or router that serves others."""
     obs = evidence.obs
     sent = obs.isin("kind", SEDP) | obs.isin("submessage", "DeclareSubscriber", "Push")
     sent &= np.isin(obs.sender_index, [*obs.servers])
@@ -96,7 +96,7 @@ def uninformed_clients(evidence: Evidence) -> Iterator[Finding]:
     known = {of.subject for of in pairs if of.n_announced and of.observer in obs.servers}
     known = {one for one in known if np.ptp(obs.first_last, axis=0)[one] >= LIMITS.timeout}
     idle = known - told - evidence.early_processes
-    # A node that shares no topic with others is no tool, which has only those of each node.
+    # Skip nodes with topics of their own, which may match none; tools have only every node's.
     uses = evidence.endpoints["host"][~evidence.endpoints["topic"].isin(NODE_TOPICS)]
     for host, own in obs.processes_by_host(sorted(idle)).items() if told else ():
         if host not in {*obs.hosts_of(told), *uses}:
@@ -104,7 +104,7 @@ def uninformed_clients(evidence: Evidence) -> Iterator[Finding]:
             yield Finding.of(kind, (host,), obs.hosts_of(sorted(told)))
 
 
-def processes_without_time(evidence: Evidence) -> Iterator[Finding]:
+def short_lived_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with a process that left before it met its readers, or any other process."""
     obs, ends, texts = evidence.obs, evidence.endpoints, dict[str, str]()
     wrote = obs.senders(obs.isin("kind", "User data"))
@@ -117,7 +117,7 @@ def processes_without_time(evidence: Evidence) -> Iterator[Finding]:
         readers = sorted({*read["host"]} - {host})
         earlier = (obs.first_last[0] < first) & (obs.process_host != host)
         if readers or (process not in met and earlier.any()):
-            what = f"sent no sample to {listing(readers)}" if readers else "met no other process"
+            what = f"sent no sample to {join_names(readers)}" if readers else "met no other process"
             texts.setdefault(host, say("left early", host, last - first, what))
     if texts:
         yield Finding("left early", tuple(texts), "; ".join(texts.values()))
@@ -139,7 +139,7 @@ def looping_bridges(evidence: Evidence) -> Iterator[Finding]:
     for pair in combinations(counts, 2):
         if {pair, pair[::-1]} <= links:
             text = [say("bridged", of, *counts[of]) for of in pair]
-            yield Finding("bridges in a loop", pair, f"{listing(text)}, also to each other")
+            yield Finding("bridges in a loop", pair, f"{join_names(text)}, also to each other")
 
 
 def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:
@@ -160,10 +160,10 @@ def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, s
     if writer.ownership != reader.ownership:
         found["OWNERSHIP"] = (writer.ownership, reader.ownership)
     if writer.representations[0] not in reader.representations:
-        found["DATA_REPRESENTATION"] = writer.representations[0], listing(reader.representations)
+        found["DATA_REPRESENTATION"] = writer.representations[0], join_names(reader.representations)
     pairs = product(writer.partitions, reader.partitions)
     if not any(fnmatchcase(*pair) or fnmatchcase(*pair[::-1]) for pair in pairs):
-        found["PARTITION"] = (listing([*writer.partitions]), listing([*reader.partitions]))
+        found["PARTITION"] = (join_names([*writer.partitions]), join_names([*reader.partitions]))
     return {f"{policy}_QOS_POLICY": both for policy, both in found.items()}
 
 
@@ -175,7 +175,7 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
         is_rtps = evidence.scopes[group["scope"].iloc[0]].protocol == "RTPS"
         writers, readers = ([one for one in ends if one.writer is way] for way in (True, False))
         for writer, reader in product(writers, readers):
-            at, kind, text = [listing([*ends[one]]) for one in (writer, reader)], "QoS differs", ""
+            at, kind, text = [join_names([*ends[of]]) for of in (writer, reader)], "QoS differs", ""
             if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
                 kind, text = "types differ", _type_difference(writer, reader, *at)
             elif {writer.transport, reader.transport} == {"UDP", "TCP"}:
@@ -206,7 +206,7 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
         return  # unknown endpoints may match
     for _, rows in evidence.endpoints.groupby("scope"):
         only = rows.groupby("topic").filter(lambda group: {*group["writer"]} != {True, False})
-        only = only[~only["topic"].str.startswith("rr/")]  # a service has its requests, too
+        only = only[~only["topic"].str.startswith("rr/")]  # the requests stand for the service
         ends = only.drop_duplicates(["topic", "type"])
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
             if len(both) == 2 and {*both["writer"]} == {True, False}:
@@ -214,7 +214,7 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
                 verbs = ("offered", "called") if is_service else ("read", "written")
                 named = zip(both["topic"].map(ros_topic), both["writer"], both["host"], strict=True)
                 text = [f"{topic} is {verbs[writes]} by {host}" for topic, writes, host in named]
-                yield Finding("topic names", tuple(both["host"].unique()), f"{listing(text)} only")
+                yield Finding("topic names", (*both["host"].unique(),), f"{join_names(text)} only")
 
 
 def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
@@ -257,7 +257,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
             ends.get((service, *role), []) for role in (("rq", True), ("rr", False), ("rr", True))
         )
         for (client, _, number), (server, replies, _) in product(readers, writers):
-            # With several clients in a process, it is unknown which one reads which reply.
+            # Skip processes with several clients: it is unknown which one reads which reply.
             asks = [entity for process, entity, _ in asking if process == client]
             names = obs.hosts_of((client, server))
             if len(names) < 2 or len(asks) != 1 or (client, asks[0]) not in sends:
@@ -273,7 +273,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
                 texts, lost, hosts = [*texts, text], lost + missing, hosts | dict.fromkeys(names)
     if texts:
         got = wording.count_noun(lost, "request")
-        yield Finding("early requests", tuple(hosts), f"{listing(texts)}; {got} got no reply")
+        yield Finding("early requests", tuple(hosts), f"{join_names(texts)}; {got} got no reply")
 
 
 def _endpoints_by_service(evidence: Evidence) -> ServiceEndpoints:

@@ -14,7 +14,7 @@ from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import server_clients
 from discostorm_capture.endpoints import ros_topic
-from discostorm_capture.sentences import listing, say
+from discostorm_capture.sentences import join_names, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 #: Thresholds for loss of samples and of segments: minimum number of lost frames, minimum share, and
@@ -31,10 +31,10 @@ TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 5
 
 
 def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
-    """Return numbers of lost and of all frames, with samples and with segments.
+    """Return the lost and the total number of frames, first for samples, then for segments.
 
-    Then the number of lost frames by host, sending or receiving, and when they were sent [s]. A
-    sample is lost if its receiver, already active, requests it after it had time to process it.
+    Then return the number of lost frames by sending or receiving host, and their times [s]. A
+    sample counts as lost if an active receiver requests it after having had time to process it.
     """
     obs, lost, sent, ends = evidence.obs, list[int](), 0, Counter[str]()
     frame = obs["frame"]
@@ -45,7 +45,7 @@ def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], C
         ends.update(dict.fromkeys(obs.hosts_of((subject, observer)), len(frames)))
     hosts = [obs.indices_among(end, [*obs.host_first_last]) for end in ("sender", "receiver")]
     first, last = np.array([*obs.host_first_last.values(), (0.0, np.inf)]).T
-    # A host that has ended acknowledges nothing.
+    # Leave out segments from or to a host that has ended: it acknowledges nothing.
     tcp = (obs.time > first[hosts].max(axis=0) + LIMITS.startup_time) & obs.isin("transport", "TCP")
     tcp &= obs.time < last[hosts].min(axis=0)
     again = obs.messages[tcp & obs.isin("kind", "TCP retransmission")]
@@ -58,7 +58,7 @@ def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], C
 def lost_sample_frames(
     evidence: Evidence, subject: int, observer: int, sent: Array, answers: Array
 ) -> set[int]:
-    """Return frames with samples that are requested later, after the usual time of an answer."""
+    """Return the frames of samples that the receiver requested after the usual answer time."""
     obs = evidence.obs
     delay = evidence.min_answer_times.get(obs.hosts_of((subject, observer)), 0.0)
     delay = delay if LIMITS.max_read_delay < delay < np.inf else 0.0
@@ -71,14 +71,14 @@ def lost_sample_frames(
     startup = obs.first_last[0][[subject, observer]].max() + LIMITS.startup_time
     sent = sent[np.lexsort((obs.time[sent], obs.seq[sent]))]
     number, time, frame = obs.seq[sent], obs.time[sent], obs["frame"][sent]
-    # Number and time form one key, which finds the last transmission before a request.
+    # Combine number and time into one sorted key, to find the last transmission before a request.
     key = obs.end + 1.0
     lacking = obs.seq[lacks] * key + obs.time[lacks] - delay
     asked = np.searchsorted(number * key + time, lacking, side="right")
     last = np.maximum(asked - 1, 0)
     later = (asked > 0) & (number[last] == obs.seq[lacks])
     waited = obs.time[lacks] - time[last] > _max_read_delay(obs.time[lacks], startup) + delay
-    # Holes in what a server sends are normal: it sends each client only what concerns it.
+    # A hole is a loss, unless the sender is a server, which sends clients only what concerns them.
     later &= waited | (obs["holes"][lacks] & ~obs.is_server[subject])
     # Other samples of a request are lost if they are sent again.
     asks = np.append(-np.inf, np.sort(obs.time[lacks]))
@@ -123,7 +123,7 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
                 heard = " heard ".join(obs.process_host[ends[::-1]])
                 late.append(f"{heard} after {met - begin:.1f} s")
     if len(late) >= LIMITS.min_calls:
-        yield Finding("multicast lossy", (), f"announcements came late: {listing(late)}")
+        yield Finding("multicast lossy", (), f"announcements came late: {join_names(late)}")
 
 
 def _wilson_ci(count: int, total: int) -> tuple[float, float]:
@@ -183,7 +183,7 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
     text = say("flood", floods.total() / lasting, lasting, complete, flows)
     senders = tuple(dict.fromkeys(sender for sender, *_ in floods))
     for host in senders:
-        # With two processes of one id, the one that others do not know floods them.
+        # If two processes share an id, the one unknown to others floods them.
         ports = {row[3] for row in obs.event_tuples("asked") if row[2] == host and row[3] % 2 == 0}
         if len(ports) > (obs.process_host == host).sum() == 1:
             text += f"; others send to the one known process there at {len(ports)} ports"
@@ -205,7 +205,7 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
             who, ports = ({row[at] for row in calls if row[2] == host} for at in (1, 3))
             names = [SERVICE_PORTS.get(int(port), str(port)) for port in sorted(ports)]
             findings.append(Finding.of("refuses", (host,), sorted(who), names, count))
-    # Hosts that get answers did send messages, though the capture lacks them.
+    # Skip hosts that others answer: they did send messages, though the capture lacks them.
     yield from (one for one in findings if not {*one.hosts} & {*evidence.silent_hosts})
 
 
@@ -224,7 +224,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         there &= obs.time > obs.time[back].max(initial=-np.inf)
         by_server.setdefault(host, {})[caller] = obs.time[there]
     for host, times in by_server.items():
-        # Only unanswered calls are repeated often.
+        # Calls that are repeated often were not answered.
         least = LIMITS.min_messages / len(times)
         often = {of: calls for of, calls in times.items() if len(calls) >= least}
         failed = [of for of, calls in often.items() if end - calls[0] >= LIMITS.min_wait]
@@ -247,7 +247,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         elif not served:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
             spoke = "it never spoke" if np.isinf(last) else f"it last spoke after {last:.1f} s"
-            at = f" at port {listing([*map(str, sorted(tried))])}" if tried else ""
+            at = f" at port {join_names([*map(str, sorted(tried))])}" if tried else ""
             yield Finding("server down", (host,), f"{host}{at}: {text}; {spoke}")
         elif not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
             yield Finding.of("server number", failed, host, served, count)
@@ -306,7 +306,7 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         kinds, callers, times = zip(*rows, strict=True)
         if len(rows) < LIMITS.min_calls or host in peers or np.ptp(times) < LIMITS.min_wait:
             continue
-        text = listing([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
+        text = join_names([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
         who = tuple(sorted({*callers}))
         if by_udp and (host, ZENOH_PORT) in taken:
             yield Finding("wrong port", who, say("TCP instead", who, host, ZENOH_PORT, text))
@@ -338,7 +338,7 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     deaf: dict[tuple[str, str], str] = {}
     for _, sender, receiver, payload, time in obs.event_tuples("vanished"):
         later = (obs.time > time) & (obs.time < time + LIMITS.min_wait)
-        # A receiver that is out of range or restarts sends nothing meanwhile.
+        # Skip receivers that send nothing meanwhile: they are out of range, or restart.
         if (sender, receiver) not in large and (later & obs.isin("sender", receiver)).any():
             text = f"{sender} to {receiver} ({payload} bytes, first sent after {time:.1f} s)"
             deaf.setdefault((sender, receiver), text)
@@ -365,7 +365,7 @@ def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
 
 
 def power_saving(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that confirm samples in bursts of a steady period, but are asked more often."""
+    """Yield hosts that confirm samples in evenly spaced bursts, although writers ask more often."""
     obs, confirmed = evidence.obs, dict[str, list[float]]()
     for _, observer, rows, asks in evidence.answered_samples:
         if len(rows):

@@ -34,7 +34,7 @@ DEFAULT_TABLES = {
 }.values()
 #: Length of a frame [B].
 LENGTH = sp.Symbol("L", positive=True)
-#: Captures to which the products' tables were fitted, by table.
+#: What each table describes, and the versions it was measured with.
 DESCRIPTIONS = {
     row["protocol"]: f"{row['what']} (measured with {row['versions']})"
     for table in ("products", "configurations")

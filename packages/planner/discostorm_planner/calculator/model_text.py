@@ -41,7 +41,7 @@ def model_data() -> JsValue:
         for change in offered_changes.changes(table, ds.PAPER)
         if change.table or change.radio or change.fleet
     ]
-    ways = sorted({change.steps for change in shown} | {("staggered start",)})
+    ways = sorted({change.kinds for change in shown} | {("staggered start",)})
     drain = formulas.name_of(drain_times.DRAIN_TIME, "drain")
     largest = formulas.name_of(LARGEST_HOST_COUNT, "largest")
     return {

@@ -30,7 +30,7 @@ def changes(protocol: Protocol, wifi: Wifi, ros: str | None = None) -> list[Chan
         if not isinstance(change, str)
         and all(
             rule_for(kind, change.table or protocol)["effort"] != "research"
-            for kind in change.steps
+            for kind in change.kinds
         )
     ]
 
@@ -112,7 +112,7 @@ def _change_rows(protocol: Protocol, ros: str | None = None) -> JsValue:
             change.note,
             table_name_of_change(protocol, change),
             (change.baseline or protocol).name,
-            " and ".join(change.steps),
+            " and ".join(change.kinds),
         ]
         for change in table_replacements(protocol, ros)
     ]
