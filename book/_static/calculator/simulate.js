@@ -162,8 +162,7 @@ const FleetSimulation = (RULES, folder) => {
       return mine === asked ? { reason: error.message } : null;
     }
     const time = DiscoveryTimes.ofRuns(found, setting);
-    const name = setting.table;
-    const answer = time.median === Infinity && !setting.recovery ? { reason: `repairs are not simulated with ${name}` } : { time };
+    const answer = time.median === Infinity && !setting.recovery ? { reason: `repairs are not simulated with ${setting.table}` } : { time };
     known.set(key, answer);
     return answer;
   }
