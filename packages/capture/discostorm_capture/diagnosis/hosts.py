@@ -151,7 +151,7 @@ def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
             kind, text = "no route", f"{text}; others announced a process there"
             if near := obs.subnet_neighbors(target, sorted(obs.announced_addresses)):
                 text += say("same network", near, "is" if len(near) == 1 else "are")
-        asks = [f"{of} asks {times} times by ARP for {target}" for of, times in counts.items()]
+        asks = [f"{of} asked {times} times by ARP for {target}" for of, times in counts.items()]
         yield Finding(kind, (target,), f"{listing(asks)}{text}")
 
 
@@ -190,8 +190,8 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
         text = f"{listing(absent)} announced nothing; {len(expected or ())} hosts are expected"
         if silent:
             text += f"; {listing(silent)} sent other packets, so the host itself is on the network"
-        if asks := [f"{by} asks for {of}" for by, of in obs.unanswered_arp if by in silent]:
-            text += f"; {listing(asks)} by ARP, and gets no answer"
+        if asks := [f"{by} asked for {of}" for by, of in obs.unanswered_arp if by in silent]:
+            text += f"; {listing(asks)} by ARP, and got no answer"
         yield Finding("missing", absent, text)
 
 

@@ -47,7 +47,7 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
         hosts = of_scope.groupby("what", sort=False)["host"].unique()
         shared = hosts[hosts.map(len) > 1]
         if len(shared) >= LIMITS.min_shared_topics:
-            text = listing([f"{what}{listing(by)}" for what, by in shared.items()])
+            text = listing([f"{what}{listing(by)}" for what, by in shared.items()], "; ")
             kind = "robots share topics" if " is read by " in text else "sources share topics"
             yield Finding(kind, tuple(sorted({*np.hstack([*shared])})), text)
     for (use, _, topic), rows in wrote:
@@ -139,7 +139,7 @@ def looping_bridges(evidence: Evidence) -> Iterator[Finding]:
     for pair in combinations(counts, 2):
         if {pair, pair[::-1]} <= links:
             text = [say("bridged", of, *counts[of]) for of in pair]
-            yield Finding("bridges in a loop", pair, f"{listing(text)}, also to each other")
+            yield Finding("bridges in a loop", pair, f"{listing(text, '; ')}, also to each other")
 
 
 def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:
@@ -273,7 +273,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
                 texts, lost, hosts = [*texts, text], lost + missing, hosts | dict.fromkeys(names)
     if texts:
         got = wording.count_noun(lost, "request")
-        yield Finding("early requests", tuple(hosts), f"{listing(texts)}; {got} got no reply")
+        yield Finding("early requests", tuple(hosts), f"{listing(texts, '; ')}; {got} got no reply")
 
 
 def _endpoints_by_service(evidence: Evidence) -> ServiceEndpoints:
