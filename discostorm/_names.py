@@ -38,8 +38,10 @@ def check_keys(
     for name in (name for name in table if name not in valid):
         place = (places or {}).get(name)
         like = f". Write {name} {place}" if place else did_you_mean(name, valid)
+        if not like and len(keys := [*valid]) < 8:
+            like = f". Valid keys are {', '.join(keys)}"
         got = f"{_checks.shorten_name(name)} = {_checks.short_repr(table[name])}"
-        raise ValueError(f"key must be {' or '.join(valid)}; got {got}{like}")
+        raise ValueError(f"unknown key {got}{like}")
 
 
 class UnknownNameError(KeyError, ValueError):

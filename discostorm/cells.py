@@ -46,7 +46,7 @@ def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) 
     known = " or ".join(map(repr, names))
     for group, cell, wired in groups:
         if cell and (wired or not cells):
-            why = "which is wired" if cells else "or a [[cells]] table be added for it"
+            why = "which is wired" if cells else "or defined in a [[cells]] table"
             raise ValueError(f"cell must be left out of {group}, {why}; got {cell!r}")
         if cell not in names and cells and not wired:
             got = f"{cell!r}{_names.did_you_mean(cell, names)}" if cell else "none"

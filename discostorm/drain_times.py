@@ -141,7 +141,7 @@ def first_idle(
         return _first_idle_before(early, np.inf, protocol, *at)
     if (bound - busy) / min(schedule.period for schedule in rounds) > _MAX_TIMES:
         raise ValueError(
-            "hosts, processes and endpoints must be fewer to say when the channel goes idle: it "
+            "hosts, processes and endpoints must be fewer for an exact drain time: the channel "
             f"is so full that more than {_MAX_TIMES:g} times are possible; got {hosts:g}, "
             f"{processes:g} and {endpoints:g}. `drain_time` gives an upper bound"
         )

@@ -114,8 +114,8 @@ def security_warning() -> tuple[str, str]:
     targets = [f"{60 // max(t):.0f} with {name}" for name, t in times.items()]
     return "DDS Security (SROS2) is not counted.", (
         "In startups that we captured, it multiplied airtime "
-        f"by {wording.join_words(ranges)}. Keep it on your robots, but plan without it, and divide "
-        f"the target by this: in place of 60 s, say within = {wording.join_words(targets, 'or')}."
+        f"by {wording.join_words(ranges)}. Keep it on your robots, but plan without it, and with "
+        f"a shorter target: in place of 60 s, within = {wording.join_words(targets, 'or')}."
     )
 
 

@@ -66,7 +66,7 @@ def flow(topic: str, to: Receivers, **own: Any) -> Flow:
     for name in ("rate", "bytes", "reliable"):
         if name not in given:
             like, may = _names.did_you_mean(topic, ready), ", ".join(ready)
-            raise ValueError(f"{name} is missing; only the ready-made {may} may omit it{like}")
+            raise ValueError(f"{name} is missing; only these topics may omit it: {may}{like}")
     return Flow(topic, to, **given)
 
 

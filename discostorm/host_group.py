@@ -124,8 +124,8 @@ class HostGroup:
             nodes = _checks.number("nodes", self.nodes, 0, _checks.MAX_COUNT)
             if nodes * (each := parameter_service_endpoints()) > fewest:
                 raise ValueError(
-                    f"nodes must be at most {fewest / each:g} for processes of {fewest:g} "
-                    f"endpoints, as the parameter services of a node have {each}; got {nodes:g}"
+                    f"nodes must be at most {fewest / each:g}: each needs {each} endpoints for "
+                    f"parameter services, and a process has {fewest:g}; got {nodes:g}"
                 )
             object.__setattr__(self, "nodes", nodes)
         fewest = min((size.endpoints for size in self.process_sizes), default=fewest)

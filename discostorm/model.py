@@ -350,7 +350,7 @@ def message_costs(
         if count < 0:
             counts = "; ".join(f"{g.hosts:g} and {g.processes:g}" for g in fleet.groups)
             raise ValueError(
-                f"hosts and processes must be whole numbers here, as there would be {count:.4g} "
+                f"hosts and processes must be whole numbers here: these give {count:.4g} "
                 f"{message.name} messages ({message.unit.name}); got {counts}"
             )
         sent = dict.fromkeys(HOPS, 0.0)

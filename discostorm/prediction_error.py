@@ -82,7 +82,7 @@ class ErrorBand:
         kept = self.points - 2 * points_outside_interval(self.points)
         part_of = "" if kept == self.points else f"{kept} of "
         return (
-            f"In {part_of}{self.points} swarms {where} that we left out of the fit, discovery took "
+            f"In {part_of}{self.points} swarms {where}, left out of the fit, discovery took "
             f"{self.low:.2f} to {self.high:.2f} times the predicted airtime (typical error "
             f"{self.typical:.0%}). {more}{BEYOND_CLAUSE * self.beyond}."
         )

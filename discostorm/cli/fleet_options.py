@@ -145,7 +145,7 @@ def fleet_source(
             raise click.UsageError("--robot needs --hosts, the number of these robots")
     elif missing := [f"--{name}" for name, value in counts.items() if value is None]:
         flags = ", ".join(missing)
-        raise click.UsageError(f"{flags} must be given, or --fleet FILE, or --robot NAME")
+        raise click.UsageError(f"give {flags}, or --fleet FILE, or --robot NAME")
     return file if fleet is None else fleet
 
 
@@ -210,7 +210,7 @@ def _swarm_options(name: str, make: Any, metavar: str, text: str) -> Callable[[A
 
 swarm_options = _swarm_options("fleet_input", _fleet_input, "N", "Number of hosts.")
 several_swarms_options = _swarm_options(
-    "inputs", _fleet_inputs, "N[,N...]", "Number of hosts; each of several gets its own row."
+    "inputs", _fleet_inputs, "N[,N...]", "Number of hosts, or several numbers, one row each."
 )
 
 

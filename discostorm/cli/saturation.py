@@ -97,7 +97,7 @@ def saturation(
 
     With a fleet file, FLEET, the command varies one group at a time and keeps the others. If the
     file has [[cells]], each row says how many hosts of a group fill the channel of one cell, which
-    may be another cell than its own. With --hosts, the command says whether that many hosts fit.
+    need not be its own. With --hosts, the command says whether that many hosts fit.
 
     {matching}
 

@@ -202,9 +202,9 @@ def radio_named(name: str) -> Radio:
     for row in read_data("wifi/uncovered_networks.csv"):
         if re.search(rf"\b({row['names']})\b", name.replace("_", " "), re.IGNORECASE):
             raise ValueError(
-                f"{row['what']} {row['verb']} not covered, as every answer is for {TOPOLOGY}: "
-                f"{row['why']} Choose the radio of one access point, such as "
-                f"'802.11ac 80 MHz 2x2', for a rough answer; got {name!r}"
+                f"{row['what']} {row['verb']} not covered (answers are for {TOPOLOGY}). "
+                f"{row['why']} For a rough answer, choose the radio of one access point, such as "
+                f"'802.11ac 80 MHz 2x2'; got {name!r}"
             )
     like = "like '802.11ac 80 MHz 2x2' or '802.11n 20 MHz 2x2, A-MPDU 64'"
     standard = re.search(r"802\.11[a-z]+", name, re.IGNORECASE)

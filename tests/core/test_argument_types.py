@@ -204,7 +204,7 @@ def test_no_endpoints_to_ask_for_have_no_answers() -> None:
 
 
 def test_no_process_has_more_nodes_than_endpoints_for_them() -> None:
-    text = "nodes must be at most 0.833333 for processes of 10 endpoints, .* have 12; got 50"
+    text = "nodes must be at most 0.833333: each needs 12 endpoints .* process has 10; got 50"
     with pytest.raises(ValueError, match=text):
         ds.HostGroup(2, 1, [20, 10], nodes=50)
     with pytest.raises(ValueError, match=f"x: group 1: {text}"):

@@ -178,7 +178,7 @@ def test_what_counts_one_channel_refuses_cells() -> None:
         (
             'wifi = "paper"',
             'wifi = "paper"\nband = 5',
-            "cell 2 (yard): key must be name or wifi or",
+            "cell 2 (yard): unknown key band = 5. Valid keys are name, wifi",
         ),
         ('name = "yard"', 'name = " "', "name must be a non-blank string"),
         ('name = "yard"', 'name = "hall"', "cells must have distinct names; got 'hall' twice"),
@@ -188,7 +188,7 @@ def test_what_counts_one_channel_refuses_cells() -> None:
         (
             FILE[: FILE.index("[[groups")],
             "",
-            "cell must be left out of robots, or a [[cells]] table be added",
+            "cell must be left out of robots, or defined in a [[cells]] table",
         ),
         (FILE[: FILE.index("[[groups")], "cells = []\n", "cells must be tables [[cells]]; got []"),
         (FILE[: FILE.index("[[groups")], "cells = [1]\n", "it must be a table with name and wifi"),

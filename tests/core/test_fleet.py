@@ -391,13 +391,11 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ("[[groups]\n", "must be a TOML file: .*line 1"),
         (
             "[[groups]]\n" + GOOD + "[[group]]\n" + GOOD,
-            "key must be groups or matching or ros or within or domain or addresses or "
-            "security or cells; got group = ",
+            "unknown key group = .*. Did you mean 'groups'",
         ),
         (
             "[[groups]]\n" + GOOD + "hosst = 3",
-            "group 1: key must be hosts or processes or endpoints or robot or name or nodes or "
-            "shared or own_types or wired or data or cell; got hosst = 3",
+            "group 1: unknown key hosst = 3. Did you mean 'hosts'",
         ),
         (
             "[[groups]]\nname = 'a'\n" + GOOD.replace("hosts = 1", ""),
@@ -412,8 +410,8 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
             "processes must be left out, as robot sets it; got 1",
         ),
         ("[[groups]]\nrobot = 'tb4'", "group 1: hosts is missing; it must be a finite number"),
-        ("[[groups]]\ndomain = 1", "got domain = 1. Write domain above the groups"),
-        ("hosts = 1", r"got hosts = 1. Write hosts below \[\[groups\]\]"),
+        ("[[groups]]\ndomain = 1", "unknown key domain = 1. Write domain above the groups"),
+        ("hosts = 1", r"unknown key hosts = 1. Write hosts below \[\[groups\]\]"),
         ("[groups]\nhosts = 1", r"Write \[\[groups\]\] in two brackets"),
         ("[[groups]]\nhosts = 1\nrobot = 'turtelbot'", "Did you mean 'TurtleBot 4"),
         ("[[groups]]\n" + GOOD + "security = true", ". Write security above the groups"),
@@ -424,7 +422,7 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
             "processes 1: endpoints must be a whole .*; got 0.5",
         ),
         (SIZES + "endpoints = 1", "group 1: processes 1: count is missing"),
-        (SIZES + "count = 1\nendpoint = 1", "key must be count or .*; got endpoint = 1. Did you"),
+        (SIZES + "count = 1\nendpoint = 1", "unknown key endpoint = 1. Did you"),
         ("within = 0\n[[groups]]\n" + GOOD, "within must be .* above 0; got 0"),
         ("within = '9'\n[[groups]]\n" + GOOD, "within must be .*; got '9'"),
         ("[[groups]]\n" + GOOD.replace("= 1", "= 'x'"), "hosts must be .* at least 1 .*; got 'x'"),
@@ -503,9 +501,8 @@ def test_an_address_that_is_none_is_refused(address: str) -> None:
 
 def test_a_radio_in_the_wrong_place_or_misspelt_says_where_and_which() -> None:
     group = b"[[groups]]\nhosts = 2\nprocesses = 1\nendpoints = 5\n"
-    place = (
-        r"got wifi = '802\.11ac'\. Write wifi below \[\[cells\]\], or give --wifi to the command"
-    )
+    place = r"unknown key wifi = '802\.11ac'\. Write wifi below \[\[cells\]\], or give --wifi to "
+    place += "the command"
     with pytest.raises(ValueError, match=f"{place}; '--wifi list' lists radios"):
         ds.Fleet.from_bytes(b'wifi = "802.11ac"\n' + group, "fleet.toml")
     cells = b'[[cells]]\nname = "hall"\nwifi = "802.11ac 90"\n'

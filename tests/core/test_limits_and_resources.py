@@ -71,7 +71,7 @@ def test_a_channel_that_is_all_but_full_is_refused() -> None:
         full = ds.utilization(table, middle, 2, 10, window=np.inf) >= 1 - 1e-9
         low, high = (low, middle) if full else (middle, high)
     with pytest.raises(
-        ValueError, match=r"must be fewer to say when .* 1e\+06 times are possible; got .*"
+        ValueError, match=r"must be fewer for an exact .* 1e\+06 times are possible; got .*"
     ):
         drain_times.first_idle(table, low, 2, 10)
 

@@ -246,7 +246,7 @@ def test_a_name_like_no_other_gets_none() -> None:
 
 
 def test_a_wrong_key_of_a_fleet_file_gets_the_nearest_right_one() -> None:
-    with pytest.raises(ValueError, match=r"got endpoint = 90\. Did you mean 'endpoints'"):
+    with pytest.raises(ValueError, match=r"unknown key endpoint = 90\. Did you mean 'endpoints'"):
         ds.Fleet.from_bytes(b"[[groups]]\nhosts = 1\nprocesses = 1\nendpoint = 90\n", "x")
 
 
@@ -361,7 +361,7 @@ def test_saturation_says_whether_the_given_hosts_fit() -> None:
         ("saturation x.toml --hosts 3", "--fleet cannot be combined with --hosts"),
         (
             "breakdown --hosts 2",
-            "--processes, --endpoints must be given, or --fleet FILE, or --robot",
+            "give --processes, --endpoints, or --fleet FILE, or --robot",
         ),
     ],
 )

@@ -137,12 +137,12 @@ def test_claims() -> None:
     [
         (
             "plan",
-            "--hosts, --processes, --endpoints must be given, or --fleet FILE, or --robot NAME",
+            "give --hosts, --processes, --endpoints, or --fleet FILE, or --robot NAME",
         ),
         ("plan|", "path must name a TOML file; got ''"),
         ("plan|fleet.toml|--nodes|many", "'--nodes': must be one or more comma-separated numbers"),
         ("plan|fleet.toml|--nodes|8", "fleet.toml: group 'laptop': nodes must be at most 7.5"),
-        ("plan|fleet.toml|--nodes|1,2,3", "fleet.toml: nodes must be one number, or one for each"),
+        ("plan|fleet.toml|--nodes|1,2,3", "fleet.toml: nodes must be one number, or one per group"),
         ("plan|fleet.toml|--protocol|mqtt", "'mqtt' is not a known name. 'list' lists all"),
         ("claims|--verdict|wrong", "'wrong' is not one of"),
     ],

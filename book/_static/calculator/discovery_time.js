@@ -265,7 +265,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (!all.length) return [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
     const ranged = counts.filter((runs) => runs > 1);
-    const interval = ranged.map((runs) => say(runs >= RULES.runs ? "most runs" : "all runs", { runs })).join(", or ");
+    const interval = ranged.map((runs) => say(runs >= RULES.runs ? "most runs" : runs > 2 ? "all runs" : "both runs", { runs })).join(", or ");
     const more = counts.slice(1).map((runs) => say(runs > 1 ? "long runs" : "hopeless run", { runs, share: share(RULES.near) }));
     const told = `${counts[0]} simulated run${counts[0] === 1 ? "" : "s"}${more.length ? ` (${more.join(", ")})` : ""}`;
     const until = seconds(all[0].until);

@@ -274,9 +274,9 @@ const s215 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in a
 const s216 = {"measured": "Cyclone DDS", "range": "0.08 to 6.76", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
 const s217 = "--ds-product-cyclone-dds";
 const s218 = [
-[1, 1.67, 11.3, "In 24 swarms within these sizes that we left out of the fit, discovery took 0.68 to 1.26 times the predicted airtime (typical error 9%). We expect 92% of such swarms in this range"],
-[2, 1.67, 11.3, "In 9 swarms of up to twice these sizes that we left out of the fit, discovery took 0.94 to 1.44 times the predicted airtime (typical error 16%). We expect 80% of such swarms in this range"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 1.31 to 1.47 times the predicted airtime (typical error 39%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 24 swarms within these sizes, left out of the fit, discovery took 0.68 to 1.26 times the predicted airtime (typical error 9%). We expect 92% of such swarms in this range"],
+[2, 1.67, 11.3, "In 9 swarms of up to twice these sizes, left out of the fit, discovery took 0.94 to 1.44 times the predicted airtime (typical error 16%). We expect 80% of such swarms in this range"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, left out of the fit, discovery took 1.31 to 1.47 times the predicted airtime (typical error 39%). With so few swarms, we give no interval"],
 ];
 const s219 = {"until": [s157, [10, "slow at best"], s158], "never": s159};
 const s220 = {"second": 1, "lease": 10, "ever": Infinity};
@@ -326,7 +326,7 @@ const s263 = "the server forwards everything, as in Fast DDS 3.6";
 const s264 = "Cyclone DDS, wired";
 const s265 = "moving to ROS 2 Jazzy (Cyclone DDS)";
 const s266 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
-const s267 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.95 to 1.13 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
+const s267 = [[1, 1, 1, "In 7 swarms within these sizes, left out of the fit, discovery took 0.95 to 1.13 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
 const s268 = [s163, s167, s165, s224, s226];
 const s269 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s228];
 const s270 = 493.08762420957544;
@@ -351,9 +351,9 @@ const s288 = 232.6802973977695;
 const s289 = 226.06745510293473;
 const s290 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
 const s291 = [
-[1, 1.67, 11.3, "In 26 swarms within these sizes that we left out of the fit, discovery took 0.72 to 1.32 times the predicted airtime (typical error 9%). We expect 93% of such swarms in this range"],
-[2, 1.67, 11.3, "In 11 swarms of up to twice these sizes that we left out of the fit, discovery took 1.00 to 1.43 times the predicted airtime (typical error 22%). We expect 83% of such swarms in this range"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 1.28 to 1.48 times the predicted airtime (typical error 38%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 26 swarms within these sizes, left out of the fit, discovery took 0.72 to 1.32 times the predicted airtime (typical error 9%). We expect 93% of such swarms in this range"],
+[2, 1.67, 11.3, "In 11 swarms of up to twice these sizes, left out of the fit, discovery took 1.00 to 1.43 times the predicted airtime (typical error 22%). We expect 83% of such swarms in this range"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, left out of the fit, discovery took 1.28 to 1.48 times the predicted airtime (typical error 38%). With so few swarms, we give no interval"],
 ];
 const s292 = 432.2946357085669;
 const s293 = 726.2444541104828;
@@ -368,7 +368,7 @@ const s301 = 133.94982078853047;
 const s302 = 167.8055937643283;
 const s303 = "switching to Cyclone DDS, version 11";
 const s304 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
-const s305 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.94 to 1.33 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
+const s305 = [[1, 1, 1, "In 7 swarms within these sizes, left out of the fit, discovery took 0.94 to 1.33 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
 const s306 = {"count": "count11", "more": ["more31", "more32", "more2"]};
 const s307 = [s306, s306, s306];
 const s308 = {"count": "count12", "more": ["more33", "more34", "more35"]};
@@ -391,7 +391,7 @@ const s324 = 185.2367491166078;
 const s325 = 147.20074005550418;
 const s326 = 166.51716247139586;
 const s327 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
-const s328 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.91 to 1.10 times the predicted airtime (typical error 8%). We expect 75% of such swarms in this range"]];
+const s328 = [[1, 1, 1, "In 7 swarms within these sizes, left out of the fit, discovery took 0.91 to 1.10 times the predicted airtime (typical error 8%). We expect 75% of such swarms in this range"]];
 const s329 = 492.4140969162995;
 const s330 = 1040.4988009592325;
 const s331 = 965.8901890189019;
@@ -418,7 +418,7 @@ const s351 = "middleware and multicast endpoint data";
 const s352 = "one server, wired to the access point (measured with 2.9.1)";
 const s353 = {"measured": s141, "range": "0.99 to 1.63", "hosts": "12", "seconds": "15", "low": "0.99", "high": "1.63"};
 const s354 = "--ds-product-fast-dds";
-const s355 = [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 1.00 to 1.10 times the predicted airtime (typical error 4%). We expect 71% of such swarms in this range"]];
+const s355 = [[1, 1, 1, "In 6 swarms within these sizes, left out of the fit, discovery took 1.00 to 1.10 times the predicted airtime (typical error 4%). We expect 71% of such swarms in this range"]];
 const s356 = {"until": [s157, [20, "slow at best"], s158], "never": s159};
 const s357 = {"second": 1, "lease": 20, "ever": Infinity};
 const s358 = {"count": "count13", "more": ["more36", "more37", "more38"]};
@@ -495,7 +495,7 @@ s399,
 ];
 const s401 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
 const s402 = {"measured": "Fast DDS", "range": "0.97 to 2.03", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
-const s403 = [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 1.00 to 1.05 times the predicted airtime (typical error 2%). We expect 71% of such swarms in this range"]];
+const s403 = [[1, 1, 1, "In 6 swarms within these sizes, left out of the fit, discovery took 1.00 to 1.05 times the predicted airtime (typical error 2%). We expect 71% of such swarms in this range"]];
 const s404 = [
 [s365, "unicast", 636, 1, 0, 2, "up", s367],
 [s368, "unicast", 700, 1, 0, 2, "down", s369],
@@ -534,9 +534,9 @@ const s409 = "moving to ROS 2 Humble (Fast DDS 2.6)";
 const s410 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
 const s411 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
 const s412 = [
-[1, 1.67, 11.3, "In 11 swarms within these sizes that we left out of the fit, discovery took 0.91 to 1.04 times the predicted airtime (typical error 3%). We expect 83% of such swarms in this range"],
-[2, 1.67, 11.3, "In 2 swarms of up to twice these sizes that we left out of the fit, discovery took 0.95 to 1.22 times the predicted airtime (typical error 13%). With so few swarms, we give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 2.06 to 2.29 times the predicted airtime (typical error 118%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 11 swarms within these sizes, left out of the fit, discovery took 0.91 to 1.04 times the predicted airtime (typical error 3%). We expect 83% of such swarms in this range"],
+[2, 1.67, 11.3, "In 2 swarms of up to twice these sizes, left out of the fit, discovery took 0.95 to 1.22 times the predicted airtime (typical error 13%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, left out of the fit, discovery took 2.06 to 2.29 times the predicted airtime (typical error 118%). With so few swarms, we give no interval"],
 ];
 const s413 = {"count": "count23", "more": ["more56", "more57", "more8"]};
 const s414 = [s413, s413, s413];
@@ -551,12 +551,12 @@ const s422 = 852.6666666666666;
 const s423 = "Heartbeat for others";
 const s424 = "ACKNACK of data";
 const s425 = "switching to Cyclone DDS";
-const s426 = [[1, 1, 1, "In 19 swarms within these sizes that we left out of the fit, discovery took 0.86 to 1.68 times the predicted airtime (typical error 14%). We expect 90% of such swarms in this range"]];
+const s426 = [[1, 1, 1, "In 19 swarms within these sizes, left out of the fit, discovery took 0.86 to 1.68 times the predicted airtime (typical error 14%). We expect 90% of such swarms in this range"]];
 const s427 = 773.5594083028471;
 const s428 = "ROS discovery info";
 const s429 = "ROS Heartbeat for others";
 const s430 = "ROS ACKNACK for others";
-const s431 = [[1, 1, 1, "In 16 swarms within these sizes that we left out of the fit, discovery took 0.89 to 1.17 times the predicted airtime (typical error 5%). We expect 88% of such swarms in this range"]];
+const s431 = [[1, 1, 1, "In 16 swarms within these sizes, left out of the fit, discovery took 0.89 to 1.17 times the predicted airtime (typical error 5%). We expect 88% of such swarms in this range"]];
 const s432 = [s163, s167, s165, s226, s224];
 const s433 = 1014.7323568575234;
 const s434 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
@@ -569,7 +569,7 @@ const s440 = ["announcements", s203, "", "Fast DDS 3.6, a longer announcement in
 const s441 = ["release", s409, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
 const s442 = ["release", s410, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
 const s443 = ["middleware", s207, "", s171, "Fast DDS 3.6", "middleware"];
-const s444 = [[1, 1, 1, "In 64 of 68 swarms within these sizes that we left out of the fit, discovery took 0.90 to 1.57 times the predicted airtime (typical error 6%). We expect 91% of such swarms in this range"]];
+const s444 = [[1, 1, 1, "In 64 of 68 swarms within these sizes, left out of the fit, discovery took 0.90 to 1.57 times the predicted airtime (typical error 6%). We expect 91% of such swarms in this range"]];
 const s445 = [s163, s167, s165, s226, [s225, s225, s225], s224];
 const s446 = 896.8584995251663;
 const s447 = 189.68085535606212;
@@ -602,7 +602,7 @@ const s473 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
 const s474 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
 const s475 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s474];
 const s476 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-const s477 = [[1, 1, 1, "In 10 swarms within these sizes that we left out of the fit, discovery took 0.95 to 1.31 times the predicted airtime (typical error 5%). We expect 82% of such swarms in this range"]];
+const s477 = [[1, 1, 1, "In 10 swarms within these sizes, left out of the fit, discovery took 0.95 to 1.31 times the predicted airtime (typical error 5%). We expect 82% of such swarms in this range"]];
 const s478 = [s361, s361, s361];
 const s479 = {"count": "count26", "more": ["more59", "more60"]};
 const s480 = {"count": "count27", "more": ["more61", "more62", "more63"]};
@@ -616,7 +616,7 @@ const s487 = "Listed unicast at discovery";
 const s488 = "Listed unicast for others";
 const s489 = "Listed unicast of endpoints";
 const s490 = "peers, each linked with each other (measured with 1.10.2)";
-const s491 = [[1, 1, 1, "In 10 swarms within these sizes that we left out of the fit, discovery took 0.86 to 1.12 times the predicted airtime (typical error 8%). We expect 82% of such swarms in this range"]];
+const s491 = [[1, 1, 1, "In 10 swarms within these sizes, left out of the fit, discovery took 0.86 to 1.12 times the predicted airtime (typical error 8%). We expect 82% of such swarms in this range"]];
 const s492 = [s164, {"count": "count28", "more": ["more64", "more65", "more66"]}, s225];
 const s493 = [s163, s167, s224, s165, s492, s226];
 const s494 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s473];
@@ -638,9 +638,9 @@ const s509 = "TCP ACK at start";
 const s510 = "TCP ACK of endpoints";
 const s511 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
 const s512 = [
-[1, 1.67, 11.3, "In 12 swarms within these sizes that we left out of the fit, discovery took 0.90 to 1.41 times the predicted airtime (typical error 6%). We expect 85% of such swarms in this range"],
-[2, 1.67, 11.3, "In 4 swarms of up to twice these sizes that we left out of the fit, discovery took 0.99 to 1.02 times the predicted airtime (typical error 1%). With so few swarms, we give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 0.93 to 1.15 times the predicted airtime (typical error 11%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 12 swarms within these sizes, left out of the fit, discovery took 0.90 to 1.41 times the predicted airtime (typical error 6%). We expect 85% of such swarms in this range"],
+[2, 1.67, 11.3, "In 4 swarms of up to twice these sizes, left out of the fit, discovery took 0.99 to 1.02 times the predicted airtime (typical error 1%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, left out of the fit, discovery took 0.93 to 1.15 times the predicted airtime (typical error 11%). With so few swarms, we give no interval"],
 ];
 const s513 = 179.4287333522244;
 const s514 = 167.6030534351145;
@@ -1208,14 +1208,14 @@ return {
 "doubtful": " Not sure: {caution}.",
 "perhaps": " Probably enough: real runs may take up to {slow}.",
 "slower": "real {measured} took up to {times} times as long as simulated in an emulated Wi-Fi cell, which would be {slow}",
-"slower elsewhere": "real runs, which we did not compare, may take up to {times} times as long ({slow})",
+"slower elsewhere": "real runs may take up to {times} times as long ({slow}; not compared)",
 "easier": "Less effort, but not complete within {within}:",
 "easier, perhaps": "Less effort, but perhaps not complete within {within}:",
 "fewer": "start no more than {count} of the {group} on this channel{beside}. These {total} discover each other after {time}. We did not simulate whether the others can start later.",
 "stopgap": "First step: {fewer}",
 "until then": "Until then, {fewer}",
 "changes": "Then make one change that is enough for discovery:",
-"none near": "With no simulated change do half of the pairs know each other within {until}.",
+"none near": "No simulated change lets half of the pairs discover each other within {until}.",
 "paste": " Configuration: --paste {name}.",
 "closed form": "Ranked by airtime saved, because discovery times were not simulated:",
 "drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
@@ -1241,6 +1241,7 @@ return {
 "assumed": "Assumes: one access point, all robots in range, a common start unless stated, queues of 500 messages.",
 "most runs": "the second fastest to the second slowest of {runs} runs",
 "all runs": "all {runs} runs",
+"both runs": "both runs",
 "never means": "'Never' means not within the {until} that we simulated.",
 "rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
 "domain": "All hosts have ROS_DOMAIN_ID {domain}, which does not change these times.",
@@ -1251,8 +1252,8 @@ return {
 "extrapolated": "{protocol} was measured with up to {hosts}; for larger fleets, we extrapolate.",
 "air": "With up to {hosts} hosts in an emulated Wi-Fi cell, real {measured} took {range} times as long as simulated.",
 "watched": "We watched real startups for at most {seconds} s, so we extrapolate longer times.",
-"not compared": "Real runs, which we did not compare, may take up to {high} times as long.",
-"server not compared": "Real startups with a server or router, which we did not compare, may take up to {high} times as long.",
+"not compared": "Real runs may take up to {high} times as long (not compared).",
+"server not compared": "Real startups with a server or router may take up to {high} times as long (not compared).",
 "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
 "cell": "{cell}: the startup needs {airtime} of airtime in its first second.",
 "assumed of cells": "Assumes: all robots in range of their access points, a common start unless stated, queues of 500 messages. Cells do not interfere, and messages between access points take no time. We do not compare other radios and channels: change the fleet file, and plan again.",
@@ -1281,10 +1282,7 @@ return {
 "nothing written": "--write: no configuration change is surely enough, so we wrote no files. See what helps without --write, then name a change: --paste NAME",
 },
 "alone": "A single host has no one to discover, and no other host receives its messages.",
-"security": [
-"DDS Security (SROS2) is not counted.",
-"In startups that we captured, it multiplied airtime by 1.6 to 5.7 with Fast DDS and 2.1 to 2.8 with Cyclone DDS. Keep it on your robots, but plan without it, and divide the target by this: in place of 60 s, say within = 10 with Fast DDS or 21 with Cyclone DDS.",
-],
+"security": ["DDS Security (SROS2) is not counted.", "In startups that we captured, it multiplied airtime by 1.6 to 5.7 with Fast DDS and 2.1 to 2.8 with Cyclone DDS. Keep it on your robots, but plan without it, and with a shorter target: in place of 60 s, within = 10 with Fast DDS or 21 with Cyclone DDS."],
 "topology": "one access point, infrastructure",
 "limit": 1,
 "told": 2,
@@ -2262,7 +2260,7 @@ s249,
 "has_server": false,
 "color": s354,
 "measured": [8, 8, 10],
-"band": [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 0.97 to 1.16 times the predicted airtime (typical error 3%). We expect 71% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 6 swarms within these sizes, left out of the fit, discovery took 0.97 to 1.16 times the predicted airtime (typical error 3%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
@@ -2851,7 +2849,7 @@ s508,
 "has_server": true,
 "color": s521,
 "measured": [8, 12, 10],
-"band": [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.84 to 1.18 times the predicted airtime (typical error 10%). We expect 75% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 7 swarms within these sizes, left out of the fit, discovery took 0.84 to 1.18 times the predicted airtime (typical error 10%). We expect 75% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -2925,7 +2923,7 @@ s540,
 "has_server": false,
 "color": s521,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 11 swarms within these sizes that we left out of the fit, discovery took 0.84 to 1.25 times the predicted airtime (typical error 2%). We expect 83% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 11 swarms within these sizes, left out of the fit, discovery took 0.84 to 1.25 times the predicted airtime (typical error 2%). We expect 83% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -2986,7 +2984,7 @@ s540,
 "has_server": true,
 "color": s521,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 0.85 to 1.18 times the predicted airtime (typical error 15%). We expect 71% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 6 swarms within these sizes, left out of the fit, discovery took 0.85 to 1.18 times the predicted airtime (typical error 15%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,

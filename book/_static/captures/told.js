@@ -61,7 +61,7 @@ const TOLD = (() => {
   function pairs({ incomplete, pairs }) {
     const name = (host, process) => `${host} ${process.slice(0, 12)}`;
     const line = (pair) => [name(pair.of, pair.of_process), name(pair.by, pair.by_process), time(pair.heard_s, "never"), pair.sent];
-    const show = (some) => table(["known", "to", "answered [s]", "endpoints told"], some.map(line), "Pairs that never completed");
+    const show = (some) => table(["process", "not fully known to", "answered [s]", "endpoints announced"], some.map(line), "Pairs that never completed");
     const box = make("div", {}, make("h4", {}, `Pairs that never completed: ${incomplete.length} of ${pairs}`), show(incomplete.slice(0, DATA.most)));
     if (incomplete.length > DATA.most) {
       const button = make("button", { type: "button" }, `Show all ${incomplete.length}`);

@@ -22,8 +22,8 @@ def say(key: str, *values: Any) -> str:
     return _SENTENCES[key].format(*single)
 
 
-def join_names(names: Sequence[str] | Array) -> str:
-    """Join names by commas; if there are many, only the first ones and the number of the rest."""
+def join_names(names: Sequence[str] | Array, separator: str = "") -> str:
+    """Join names by commas, or clauses by a separator; of many, the first and how many more."""
     if len(names) > MAX_NAMES:
         names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
-    return wording.join_words([*names])
+    return separator.join(names) if separator else wording.join_words([*names])

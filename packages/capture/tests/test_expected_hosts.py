@@ -101,7 +101,7 @@ def test_a_missing_host_that_asks_for_an_address_in_vain_is_told_with_it() -> No
     assert capture.diagnosis().findings == ()
     first = capture.diagnosis(HOSTS).findings[0]
     assert (first.kind, first.hosts) == ("missing", ("10.77.0.3",))
-    assert "10.77.0.3 asks for 10.77.0.200 by ARP, and gets no answer" in first.evidence
+    assert "10.77.0.3 asked for 10.77.0.200 by ARP, and got no answer" in first.evidence
 
 
 def run(*arguments: str, path: Path = HEALTHY) -> dict[str, Any]:

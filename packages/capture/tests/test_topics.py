@@ -30,7 +30,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "left_over_server",
             "10.77.0.3 uses a different discovery method than the other hosts",
-            "hosts that use multicast and no server: 10.77.0.1 and 10.77.0.2",
+            "Hosts that use multicast and no server: 10.77.0.1 and 10.77.0.2",
             "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
         ),
         (
@@ -48,7 +48,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "tcp_for_data_on_one",
             "the writer and reader of a topic use different transports",
-            "/beat: the writer on",
+            "/beat: writer on",
             "Set the same transports",
         ),
         (
@@ -67,7 +67,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "no_way_back",
             "calls from 10.78.0.3 reach the server or router, but the answers do not come back",
             "10.78.0.3 called 10.77.0.101 3 times at port 7447",
-            "add a route to the network of 10.78.0.3",
+            "add a route back to the network of 10.78.0.3",
         ),
         (
             "isolation_with_server",
@@ -194,12 +194,12 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         ),
         (
             "router_denies_one",
-            "Either the keys of 10.77.0.3 match no other host's, or the router's access",
+            "Either no other host uses the keys of 10.77.0.3, or the router's access",
             "check access_control of the router",
         ),
         (
             "namespace_on_one",
-            "Either the keys of 10.77.0.3 match no other host's, or the router's access",
+            "Either no other host uses the keys of 10.77.0.3, or the router's access",
             "compare the namespace in the Zenoh configuration",
         ),
         (

@@ -52,8 +52,8 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "peers_in_two_groups",
             "10.77.0.3 and 10.77.0.4 neither search for the other hosts by multicast nor list",
-            "10.77.0.1 and 10.77.0.2; 10.77.0.3 and 10.77.0.4: no host of one group sends",
-            "list 10.77.0.3 and 10.77.0.4 as peers on the other hosts",
+            "to another group: 10.77.0.1 and 10.77.0.2; 10.77.0.3 and 10.77.0.4",
+            "add 10.77.0.3 and 10.77.0.4 to the peers of the other hosts",
         ),
         (
             "other_base_port",
@@ -100,7 +100,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "no_incoming_tcp",
             "a firewall drops TCP connections with 10.77.0.3 and 10.77.0.2, although UDP",
-            "10.77.0.2 calls 10.77.0.3 1 time and 10.77.0.3 calls 10.77.0.2 1 time",
+            "10.77.0.2 called 10.77.0.3 1 time and 10.77.0.3 called 10.77.0.2 1 time",
             "On 10.77.0.3 and 10.77.0.2, check `ufw status`",
         ),
         (
@@ -149,12 +149,12 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "pruned_peer",  # the other host had given up before
             "10.77.0.2 neither searches for the other hosts by multicast nor lists them as peers",
             "10.77.0.2 started after 43.3 s, and 10.77.0.1 has sent nothing to it since 0.2 s",
-            "list 10.77.0.2 as peers on the other hosts",
+            "add 10.77.0.2 to the peers of the other hosts",
         ),
         (
             "one_client_lists_number_1",
             "10.77.0.3 asks for a different server number than the server has",
-            "with another id than the server that answers 10.77.0.1 and 10.77.0.2",
+            "with another id than the one that answers 10.77.0.1 and 10.77.0.2",
             "In ROS_DISCOVERY_SERVER on 10.77.0.3, put the server's address at the position",
         ),
         (
@@ -172,7 +172,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "two_networks",
             "either the access point keeps its clients apart (client isolation), or firewalls",
-            "10.77.0.3 and 10.77.0.4; 10.77.0.2 and 10.77.0.1: unicast is confirmed within each",
+            "gets through between them: 10.77.0.3 and 10.77.0.4; 10.77.0.2 and 10.77.0.1",
             "Check whether `ping` works from host to host",
         ),
         (
@@ -318,7 +318,7 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
     assert finding.kind == "multicast of one host"
     assert found.healthy is None
     assert "If not, let the access point and switches pass multicast" in found.summary()
-    assert "10.77.0.2 and 10.77.0.3 never ask for each other's addresses" in finding.evidence
+    assert "10.77.0.2 and 10.77.0.3 never asked for each other's addresses" in finding.evidence
 
 
 @pytest.mark.parametrize(
@@ -361,7 +361,7 @@ def test_a_loop_in_the_network_comes_before_the_loss_that_it_causes() -> None:
 def test_who_has_one_peer_only_may_not_know_the_others() -> None:
     found = diagnosis("star_of_peers")
     assert found.healthy is None
-    assert "10.77.0.2, 10.77.0.3 and 10.77.0.4 never ask for each other's" in found.summary()
+    assert "10.77.0.2, 10.77.0.3 and 10.77.0.4 never asked for each other's" in found.summary()
     assert "If you recorded on 10.77.0.1, record on the access point" in found.summary()
     assert "If not, list all hosts as peers on all hosts" in found.summary()
 

@@ -331,7 +331,9 @@ def _describe_runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
     """Describe the number of runs, and the meaning of the median's interval."""
     counts = sorted({len(time.times) for time in times if time}, reverse=True) or [RUNS]
     intervals = [
-        fill("most runs" if runs >= RUNS else "all runs", runs=runs) for runs in counts if runs > 1
+        fill("most runs" if runs >= RUNS else "all runs" if runs > 2 else "both runs", runs=runs)
+        for runs in counts
+        if runs > 1
     ]
     share = wording.percent(MIN_PAIRS)
     few = [fill("long runs" if n > 1 else "hopeless run", runs=n, share=share) for n in counts[1:]]

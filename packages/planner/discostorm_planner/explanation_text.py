@@ -107,7 +107,8 @@ def _user_data_lines(load: UserDataLoad, window: float) -> Iterator[str]:
         yield fill("data during startup", fit=fit, airtime=airtime, time=time)
     if wording.below_capacity(load.with_periodic.full):
         alone = wording.duration(load.drain_time_alone.bounds[0])
-        yield fill("data wait", time=_time_range(load.drain_time_with_data), alone=alone)
+        if (time := _time_range(load.drain_time_with_data)) != alone:
+            yield fill("data wait", time=time, alone=alone)
     else:
         yield fill("no room for data")
 

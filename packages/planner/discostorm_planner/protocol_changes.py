@@ -187,7 +187,7 @@ def session_setup_note(
     *adds, apart = (wording.airtime_text(value, window) for value in (single, double, abs(gap)))
     return (
         f"the paper does not count how Zenoh opens sessions: that adds {adds[0]} if one side "
-        f"dials, {adds[1]} if both do. Both protocols differ by {apart}, {so}"
+        f"dials, {adds[1]} if both do. The protocols differ by {apart}, {so}"
     )
 
 

@@ -141,6 +141,7 @@ class Remedy:
         """State the saving, as words that follow the remedy's name, or that of another subject."""
         before = wording.airtime_text(self.before, self.window)
         after = wording.airtime_text(self.utilization, self.window)
+        before = before.removesuffix(" of the time")  # as `after` ends with it
         article = self.what.split()[0] in ("a", "an", "another", "the") or is_gerund(self.what)
         s = "s" if subject or (article and self.kind != "combination") else ""
         if self.kind == "staggered start":

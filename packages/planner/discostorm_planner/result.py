@@ -286,14 +286,11 @@ class Plan:
         wanted = _bare_name(name)
         if wanted in found:
             return found[wanted]
-        kinds = [paste_name(r, remedies) for r in self.remedies if r.snippets]
         like = _names.did_you_mean(name, [one for one in named if "staggered" not in one])
         if wanted in {_bare_name(row[of]) for row in others for of in ("name", "kind")}:
-            like = f", which {self.protocol.name} has already or cannot have"
-        raise ValueError(
-            f"change must be one of {wording.join_words(kinds, 'or')}; "
-            f"got {_checks.shorten_name(name)!r}{like}"
-        )
+            like = f" here: {self.protocol.name} has it already or cannot have it"
+        like = like or "; `plan --all` lists them"
+        raise ValueError(f"no change is named {_checks.shorten_name(name)!r}{like}")
 
     def advice(self, width: int = 79, *, all_changes: bool = False) -> str:
         """Say whether the startup works and what to do first, in lines of that width.

@@ -91,7 +91,7 @@ def _format_error(line: str) -> str:
             "nor actions. Run it in ROS 2 Eloquent or later"
         )
     return (
-        f"{_checks.short_repr(line.strip())} is not in the output of these: "
+        f"{_checks.short_repr(line.strip())} is not output of: "
         f"{_describe(read_data('fleets/ros2_formats.csv'))}. "
         "Give only their output, without other commands"
     )

@@ -188,11 +188,12 @@ def test_the_window_of_a_pasted_staggered_start_is_that_of_the_plan(file: str) -
 
 
 @pytest.mark.parametrize("name", ["0", "1", "discovery serve", "nothing like it"])
-def test_paste_of_no_such_change_names_those_that_there_are(file: str, name: str) -> None:
+def test_paste_of_no_such_change_says_where_the_names_are(file: str, name: str) -> None:
     done = run("plan", file, "--paste", name)
     assert done.exit_code == 2
-    assert "--paste: change must be one of" in done.stderr
-    assert "'discovery server'" in done.stderr or "discovery server" in done.stderr
+    assert "--paste: no change is named" in done.stderr
+    near = "Did you mean 'discovery server'?" if name == "discovery serve" else "`plan --all` lists"
+    assert near in " ".join(done.stderr.split())
     assert done.stdout == ""
 
 

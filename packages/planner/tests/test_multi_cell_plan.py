@@ -112,7 +112,7 @@ def test_one_cell_is_planned_as_the_fleet_without(tmp_path: Path) -> None:
     ("options", "told"),
     [
         (("--wifi", "paper"), "--wifi cannot be combined with [[cells]]"),
-        (("--paste", "radio"), "--paste: change must be one of"),
+        (("--paste", "radio"), "--paste: no change is named 'radio'"),
     ],
 )
 def test_what_plans_of_cells_do_not_have(

@@ -147,7 +147,7 @@ def test_switching_to_zenoh_says_what_its_count_leaves_out() -> None:
     assert gap < one < both, "what is left out is larger than the gap"
     assert zenoh.note.endswith(
         f"adds {one:.2f} s if one side dials, {both:.2f} s if both do. "
-        f"Both protocols differ by {gap:.2f} s, so either may need less"
+        f"The protocols differ by {gap:.2f} s, so either may need less"
     )
     assert "we assume peers that scout by multicast" in zenoh.trade_offs
     assert "does not count the tokens of rmw_zenoh" in zenoh.trade_offs

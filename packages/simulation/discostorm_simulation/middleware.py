@@ -73,8 +73,8 @@ def _check_repair(protocol: Protocol) -> None:
     if len(asking) > 1 + 2 * legs.has_server(protocol) or names != asked:
         told = ", ".join(f"{m.name!r} ({m.role})" for m in (*asking, *answering))
         raise ValueError(
-            f"protocol {protocol.name!r}: it must have no message with the roles heartbeat and "
-            f"acknowledgement, or one each, the second answering the first; got {told}"
+            f"protocol {protocol.name!r}: it must have one heartbeat and one "
+            f"acknowledgement that answers it, or neither; got {told}"
         )
 
 

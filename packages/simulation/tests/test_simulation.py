@@ -393,11 +393,11 @@ REFUSED: list[tuple[dict[str, Any], str]] = [
     ),
     (
         {"messages": ds.DDS.messages[:3]},
-        "must have no message with .*, or one each, .*; got 'Heartbeat' \\(heartbeat\\)$",
+        "must have one heartbeat .*, or neither; got 'Heartbeat' \\(heartbeat\\)$",
     ),
     (
         {"messages": (*ds.DDS.messages[:3], replace(ds.DDS.messages[3], answers="SEDP"))},
-        "or one each, the second answering the first; got 'Heartbeat'.*, 'ACKNACK'",
+        "one acknowledgement that answers it, or neither; got 'Heartbeat'.*, 'ACKNACK'",
     ),
     (
         {"messages": (*ds.DDS.messages, PING, PONG)},

@@ -172,7 +172,8 @@ def _print_fleet_and_messages(
         each = wording.count_noun(group.processes, "process", "es")
         wired = ", wired" if group.wired else ""
         hosts, endpoints = map(cli_output.as_text, (group.hosts, group.endpoints))
-        click.echo(f"hosts: {hosts} with {each} of {endpoints} endpoints each{wired}")
+        noun = "endpoint" if group.endpoints == 1 else "endpoints"
+        click.echo(f"hosts: {hosts} with {each} of {endpoints} {noun} each{wired}")
     if not rows:
         click.echo("It contains no messages of RTPS or Zenoh.")
         return

@@ -94,10 +94,10 @@ def print_diagnosis_tables(diagnosis: Diagnosis, output: Output) -> None:
         click.echo(f"\nPairs that never completed ({len(pairs)} of {diagnosis.pairs}):")
         shown = pairs.head(MAX_PRINTED_PAIRS)
         table = {
-            "known": shown["of"] + " " + shown["of_process"].str[:12],
-            "to": shown["by"] + " " + shown["by_process"].str[:12],
+            "process": shown["of"] + " " + shown["of_process"].str[:12],
+            "not fully known to": shown["by"] + " " + shown["by_process"].str[:12],
             "answered [s]": shown["heard_s"].map(_format_time),
-            "endpoints told": shown["sent"],
+            "endpoints announced": shown["sent"],
         }
         print_table(shown.assign(**table)[[*table]].to_dict("records"), output)
         if len(pairs) > MAX_PRINTED_PAIRS:

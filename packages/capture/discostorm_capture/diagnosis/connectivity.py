@@ -127,7 +127,7 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
     mute = [*dict.fromkeys(ends[0] for ends in texts if ends[0] not in partly)]
     if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
         mutes = tuple(hosts[index] for index in mute)
-        yield Finding("unicast dropped", mutes, join_names([*texts.values()]))
+        yield Finding("unicast dropped", mutes, join_names([*texts.values()], "; "))
         return
     for index in mute:
         own = (text for pair, text in texts.items() if pair[0] == index)
@@ -136,7 +136,7 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
         which = tuple(dict.fromkeys(hosts[index] for index, _ in single))
         mutual = {*single} == {pair[::-1] for pair in single}
         kind = "pairs apart" if mutual else "one direction of pairs"
-        yield Finding(kind, which, join_names([*single.values()]))
+        yield Finding(kind, which, join_names([*single.values()], "; "))
 
 
 def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
@@ -149,7 +149,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     vain = {pair: count for pair, count in failed.items() if pair in apart and pair[::-1] in found}
     if vain:
         times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}
-        calls = [f"{caller} calls {called} {count}" for (caller, called), count in times.items()]
+        calls = [f"{caller} called {called} {count}" for (caller, called), count in times.items()]
         yield Finding.of("no TCP", [*dict.fromkeys(called for _, called in vain)], calls)
 
 
@@ -164,11 +164,11 @@ def different_domains(evidence: Evidence) -> Iterator[Finding]:
         if len(members) > 1 and len(hosts) == len({*hosts}):
             # Two teams sharing a network have several hosts each, and none in the default domain.
             teams = min(map(len, members)) > 1 and "0" not in members
-            yield Finding("two fleets" if teams else "two domains", hosts, join_names(said))
+            yield Finding("two fleets" if teams else "two domains", hosts, join_names(said, "; "))
         single = members[names[table.index].value_counts()[members.index] == 1]
         for (host,) in single:
             if any(host in other and len(other) > 1 for other in members):
-                yield Finding("process alone", (host,), join_names(said))
+                yield Finding("process alone", (host,), join_names(said, "; "))
 
 
 def refused_announcements(evidence: Evidence) -> Iterator[Finding]:

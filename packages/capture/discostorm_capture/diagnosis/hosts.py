@@ -151,7 +151,7 @@ def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
             kind, text = "no route", f"{text}; others announced a process there"
             if near := obs.subnet_neighbors(target, sorted(obs.announced_addresses)):
                 text += say("same network", near, "is" if len(near) == 1 else "are")
-        asks = [f"{of} asks {times} times by ARP for {target}" for of, times in counts.items()]
+        asks = [f"{of} asked {times} times by ARP for {target}" for of, times in counts.items()]
         yield Finding(kind, (target,), f"{join_names(asks)}{text}")
 
 
@@ -186,12 +186,12 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("too few hosts", (), f"{text}{': ' + join_names(seen) if seen else ''}")
     elif absent := tuple(host for host in expected or () if host not in present):
         others = {*obs.network_events["sender"].astype(str)}
-        mute = [host for host in absent if host in others]
+        silent = [host for host in absent if host in others]
         text = f"{join_names(absent)} announced nothing; {len(expected or ())} hosts are expected"
-        if mute:
-            text += f"; {join_names(mute)} sent other packets, so the host itself is on the network"
-        if asks := [f"{by} asks for {of}" for by, of in obs.unanswered_arp if by in mute]:
-            text += f"; {join_names(asks)} by ARP, and gets no answer"
+        if silent:
+            text += f"; {join_names(silent)} sent other packets, so the host is on the network"
+        if asks := [f"{by} asked for {of}" for by, of in obs.unanswered_arp if by in silent]:
+            text += f"; {join_names(asks)} by ARP, and got no answer"
         yield Finding("missing", absent, text)
 
 

@@ -47,7 +47,7 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
         hosts = of_scope.groupby("what", sort=False)["host"].unique()
         shared = hosts[hosts.map(len) > 1]
         if len(shared) >= LIMITS.min_shared_topics:
-            text = join_names([f"{what}{join_names(by)}" for what, by in shared.items()])
+            text = join_names([f"{what}{join_names(by)}" for what, by in shared.items()], "; ")
             kind = "robots share topics" if " is read by " in text else "sources share topics"
             yield Finding(kind, tuple(sorted({*np.hstack([*shared])})), text)
     for (use, _, topic), rows in wrote:
@@ -138,8 +138,8 @@ def looping_bridges(evidence: Evidence) -> Iterator[Finding]:
     links = obs.links_of(obs.messages[data])
     for pair in combinations(counts, 2):
         if {pair, pair[::-1]} <= links:
-            text = [say("bridged", of, *counts[of]) for of in pair]
-            yield Finding("bridges in a loop", pair, f"{join_names(text)}, also to each other")
+            text = join_names([say("bridged", of, *counts[of]) for of in pair], "; ")
+            yield Finding("bridges in a loop", pair, f"{text}, also to each other")
 
 
 def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:
@@ -272,8 +272,8 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
                 text = say("early request", service, *names, early[0], announced - early[0])
                 texts, lost, hosts = [*texts, text], lost + missing, hosts | dict.fromkeys(names)
     if texts:
-        got = wording.count_noun(lost, "request")
-        yield Finding("early requests", tuple(hosts), f"{join_names(texts)}; {got} got no reply")
+        text = f"{join_names(texts, '; ')}; {wording.count_noun(lost, 'request')} got no reply"
+        yield Finding("early requests", tuple(hosts), text)
 
 
 def _endpoints_by_service(evidence: Evidence) -> ServiceEndpoints:

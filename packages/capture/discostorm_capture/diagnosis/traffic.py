@@ -296,7 +296,7 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
                 text += f"; Zenoh's protocol: version {max(old)} there, {max(new)} at {host}"
             yield Finding(kind, (caller,), text)
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
-            text += "sent nothing there that is Zenoh without TLS, which others send"
+            text += "unlike others, sent no Zenoh without TLS there"
             yield Finding("wrong port", (caller,), text)
         elif port == ZENOH_PORT and obs.messages.empty:
             without_session.setdefault(host, []).append(f"{text}each ended before a session")

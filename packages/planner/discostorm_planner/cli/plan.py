@@ -66,8 +66,8 @@ _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encod
     type=float,
     metavar="N",
     help="Endpoints of each process that have a match in every other process despite namespaces; "
-    "0 without ROS 2.  [default: as in ROS 2, 2 and 2 more for each node; if the nodes "
-    "are unknown, as in ready-made robots of that size]",
+    "0 without ROS 2.  [default: ROS 2's 2 per process and 2 per node; with unknown "
+    "nodes, those of ready-made robots of that size]",
 )
 @click.option(
     "--within",
@@ -91,8 +91,8 @@ _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encod
     "--write",
     "folder",
     metavar="DIR",
-    help="Write this configuration, or that of the first sufficient change, into a folder for each "
-    "host, with a README. Nothing is written if the startup already works.",
+    help="Write the configuration of --paste, or of the first sufficient change, into a folder for "
+    "each host, with a README. Nothing is written if the startup already works.",
 )
 @click.option("--force", is_flag=True, help="Let --write replace files.")
 @wifi_options
@@ -273,7 +273,7 @@ def _set_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float |
     count = len(fleet.groups)
     of_groups = nodes if isinstance(nodes, list) else [nodes] * count
     if len(of_groups) != count:
-        told = f"one number, or one for each of {count} groups; got {nodes}"
+        told = f"one number, or one per group ({count}); got {nodes}"
         raise ValueError(f"nodes must be {told}")
     groups = []
     for group, given in zip(fleet.groups, of_groups, strict=True):
