@@ -86,6 +86,12 @@ def test_simulate_takes_every_ready_made_robot() -> None:
     assert "has 9.25 endpoints on average; we simulate 9." in told.stderr
 
 
+def test_ros_all_needs_a_command_that_compares_protocols() -> None:
+    told = run("capture|any.pcap|--ros|all|--against|fastdds")
+    assert told.exit_code == 2
+    assert "--ros all needs a command that compares protocols" in told.stderr
+
+
 def test_plan(folder: Path) -> None:
     (folder / "fleet.toml").write_text(FEW, encoding="utf-8")
     fleet = ds.Fleet.from_toml(folder / "fleet.toml")
