@@ -37,9 +37,9 @@ def check_keys(
         raise TypeError(f"it must be a table with {needed}; got {_checks.short_repr(table)}")
     for name in (name for name in table if name not in valid):
         place = (places or {}).get(name)
-        like = f". Write {name} {place}" if place else did_you_mean(name, valid)
-        if not like and len(keys := [*valid]) < 8:
-            like = f". Valid keys are {', '.join(keys)}"
+        keys = ", ".join(valid) if len([*valid]) < 8 else "in `discostorm plan --help`"
+        near = did_you_mean(name, valid) or f". Valid keys are {keys}"
+        like = f". Write {name} {place}" if place else near
         got = f"{_checks.shorten_name(name)} = {_checks.short_repr(table[name])}"
         raise ValueError(f"unknown key {got}{like}")
 

@@ -397,6 +397,7 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
             "[[groups]]\n" + GOOD + "hosst = 3",
             "group 1: unknown key hosst = 3. Did you mean 'hosts'",
         ),
+        ("[[groups]]\n" + GOOD + "zebra = 3", "key zebra = 3. Valid keys are in `discostorm plan"),
         (
             "[[groups]]\nname = 'a'\n" + GOOD.replace("hosts = 1", ""),
             r"group 1 \(a\): hosts is missing; it must be .* at least 1 and at most 1e\+09",
