@@ -950,16 +950,26 @@ def test_several_access_points_have_the_commands_answer(
     expect(tab.locator("#calc-cell-list li")).to_have_count(int(entries["cells"]))
     for line in tab.locator("#calc-cell-list li").all_inner_texts():
         assert f"- {words(line)}" in said
-    fleet = ds.Fleet.from_toml(tmp_path / "fleet.toml")
-    plan = plan_cells(fleet, PROTOCOLS[entries["middleware"]], float(entries["within"]))
+    check_cell_by_cell(tab, entries, numbers, ds.Fleet.from_toml(tmp_path / "fleet.toml"))
+    for name in ("cells", "hosts"):
+        assert f"{name}={entries[name]}" in link(tab)
+
+
+def check_cell_by_cell(
+    tab: Page, entries: dict[str, str], numbers: dict[str, float], fleet: ds.Fleet
+) -> None:
+    """Compare a fleet whose airtime is counted cell by cell with its plan."""
+    protocol, within = PROTOCOLS[entries["middleware"]], float(entries["within"])
+    if fleet.cells:
+        plan = plan_cells(fleet, protocol, within)
+    else:
+        plan = ds.plan(fleet, protocol, channel(entries), within=within)
     assert plan.discovery.today is not None
     assert numbers["simulated median"] == plan.discovery.today.median
     assert advice(tab) == advised(of_single_changes(plan))
-    # What is of one access point is not there.
+    # What is of one access point, without wired hosts, is not there.
     for hidden in ("#calc-behind:not([hidden])", "#calc-csv:enabled"):
         expect(tab.locator(hidden)).to_have_count(0)
-    for name in ("cells", "hosts"):
-        assert f"{name}={entries[name]}" in link(tab)
 
 
 #: Beside one access point, and beside two with a robot that reboots.
@@ -978,16 +988,7 @@ def test_wired_computers_have_the_commands_answer(
     check_command(tab, entries, tmp_path)
     fleet = ds.Fleet.from_toml(tmp_path / "fleet.toml")
     assert [group.wired for group in fleet.groups] == [False] * int(entries["cells"]) + [True]
-    protocol, within = PROTOCOLS[entries["middleware"]], float(entries["within"])
-    if fleet.cells:
-        plan = plan_cells(fleet, protocol, within)
-    else:
-        plan = ds.plan(fleet, protocol, channel(entries), within=within)
-    assert plan.discovery.today is not None
-    assert numbers["simulated median"] == plan.discovery.today.median
-    assert advice(tab) == advised(of_single_changes(plan))
-    for hidden in ("#calc-behind:not([hidden])", "#calc-csv:enabled"):
-        expect(tab.locator(hidden)).to_have_count(0)
+    check_cell_by_cell(tab, entries, numbers, fleet)
     assert "cable=1" in link(tab)
 
 

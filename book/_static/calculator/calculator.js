@@ -187,6 +187,7 @@
     addField(byId("target"), WITHIN);
   }
 
+  const { byCell } = FleetFile;
   const LISTS = ["robot", "beside", "cable", "ros", "middleware", "channel", "matching", "security", "start"];
   const listName = (list) => (list === "channel" ? "wifi" : list);
   const chosen = (list) => byId(list).value;
@@ -454,9 +455,6 @@
     const { tables } = MODEL.protocols[name];
     return tables[ros] ?? tables.any;
   }
-
-  /** Return whether airtime is counted cell by cell, as the formulas have all hosts on one Wi-Fi. */
-  const byCell = ({ cells, wired }) => cells > 1 || wired;
 
   /** Return all changes of such a fleet: of the access point where discovery takes most; of several, on its channel. */
   function changesByCell(settings, airtimeOf) {

@@ -277,7 +277,10 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const longer = today?.median < Infinity && ratios.measured && today.median > Number(ratios.seconds);
     if (helpful({ today, changes, within, caution, ratios }).some((change) => change.ratios === server)) sure.push(say(server.measured ? "air" : "server not compared", server));
     if (longer) sure.push(say("watched", ratios));
-    for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole: whole.toFixed(1) }));
+    for (const { name, ...ends } of rounded) {
+      const [mean, whole] = [ends.mean.toFixed(1), ends.whole.toFixed(1)];
+      if (mean !== whole) sure.push(say("rounded", { name, mean, whole }));
+    }
     return sure;
   }
 

@@ -5,6 +5,9 @@ const FleetFile = (() => {
   const entries = (pairs) => Object.entries(pairs).flatMap(([key, value]) => (value === undefined ? [] : `${key} = ${JSON.stringify(value)}`));
   const table = (name, pairs) => ["", `[[${name}]]`, ...entries(pairs)];
 
+  /** Return whether airtime is counted cell by cell, as the formulas have all hosts on one Wi-Fi. */
+  const byCell = ({ cells, wired }) => cells > 1 || wired;
+
   /** Spread hosts evenly over cells: how many are in each. */
   const spread = (hosts, cells) => Array.from({ length: cells }, (_, cell) => Math.floor(hosts / cells) + Number(cell < hosts % cells));
 
@@ -37,5 +40,5 @@ const FleetFile = (() => {
     return `discostorm plan fleet.toml --protocol '${middleware}'${channel}`;
   }
 
-  return { text, command, joined, names, spread };
+  return { text, command, joined, names, spread, byCell };
 })();

@@ -228,7 +228,7 @@ const FleetSimulation = (RULES, folder) => {
       if (mine !== asked) return;
       const airtimeOf = (name, fleet) => CellAirtime({ fleet: fleetOf(fleet), table: name }, data.tables);
       let job = jobOf(today, within, data);
-      if (job.setting && (today.fleet.cells > 1 || today.fleet.wired)) found.airtime = airtimeOf(today.name, today.fleet);
+      if (job.setting && FleetFile.byCell(today.fleet)) found.airtime = airtimeOf(today.name, today.fleet);
       const { changes, window, reason: endless } = planned(job.reason ? null : airtimeOf);
       if (endless) job = { reason: endless };
       else if (window) job = jobOf({ ...today, window }, within, data);

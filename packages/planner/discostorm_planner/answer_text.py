@@ -377,7 +377,8 @@ def _certainty_lines(plan: Plan, all_changes: bool) -> list[str]:
     kinds = {row["kind"] for row in remedy_rules.configuration_rules() if row["table"] == table.key}
     lines += [fill("server")] * bool(kinds & {"discovery server", "router", "star of routers"})
     for name, mean, whole in found.rounded[:_MAX_GROUPS]:
-        lines.append(fill("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))
+        if (shown := f"{mean:.1f}") != (simulated := f"{whole:.1f}"):
+            lines.append(fill("rounded", name=name, mean=shown, whole=simulated))
     lines += [fill("interrupted")] * (not found.complete)
     return [" ".join([*lines, fill("surer")]), fill("why")]
 

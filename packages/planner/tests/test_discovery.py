@@ -503,6 +503,9 @@ def test_a_mean_that_no_whole_endpoints_have_is_rounded_and_said() -> None:
     assert plan.discovery.rounded == (("robots", 20.3, 20.5),)
     said = " ".join(plan.advice().split())
     assert "a process has 20.3 endpoints on average; we simulate 20.5." in said
+    alike = ds.plan(ds.Fleet((ds.HostGroup(2, 3, 33.3, name="robots"),)), FAST_DDS, AC)
+    assert alike.discovery.rounded
+    assert "endpoints on average" not in " ".join(alike.advice().split())
 
 
 def test_a_fleet_may_have_its_own_target() -> None:

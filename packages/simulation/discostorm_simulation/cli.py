@@ -228,7 +228,7 @@ def _with_integer_endpoints(fleet: ds.Fleet) -> ds.Fleet:
     """Split mean endpoints over processes; print a note if that changes the mean."""
     groups = tuple(group.with_integer_endpoints() for group in fleet.groups)
     for name, group, whole in zip(fleet.names, fleet.groups, groups, strict=True):
-        if abs(group.endpoints - whole.endpoints) > 1e-6:
+        if f"{group.endpoints:.1f}" != f"{whole.endpoints:.1f}":
             note = f"Note: a process of {name} has {group.endpoints:g} endpoints on average; we "
             click.echo(out.visible(f"{note}simulate {whole.endpoints:g}."), err=True)
     return replace(fleet, groups=groups)
