@@ -82,7 +82,7 @@ class Schedule:
         r"""The messages of startup beyond the periodic ones [1].
 
         With K times at startup, the last at :math:`t_K`, and period P, the number sent until t is
-        at most :math:`K - t_K / P + t / P`. The part that does not grow with t is the extra.
+        at most :math:`K - t_K / P + t / P`. The part that does not grow with t is the burst.
         """
         return len(self.starts) - self.starts[-1] / self.period
 

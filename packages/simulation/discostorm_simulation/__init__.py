@@ -58,8 +58,8 @@ def simulate(
 
     Hosts send frames to the access point by unicast; the access point queues and forwards them,
     multicast once at the basic rate. Stations contend by EDCA, best effort (802.11a and g: DCF).
-    They try a frame at most 7 times or, with aggregation, until it arrives or expires. Frames for
-    other cells and for wired hosts are passed on without delay, and wired hosts lose none.
+    They try a frame at most 7 times or, with aggregation, until it arrives or expires. Frames cross
+    the wire, between cells and to and from wired hosts, without delay or loss.
 
     Parameters
     ----------

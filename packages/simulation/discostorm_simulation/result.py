@@ -131,7 +131,7 @@ class Simulation:
         not by the end. Without recovery, the shape is (runs, 0).
     transmissions : ndarray
         First transmissions of the first run. Fields: ``start`` and ``end`` [100 ns], ``station``
-        (access point last), ``kind`` (row of the message), ``frames`` [1], ``outcome``.
+        (access points last), ``kind`` (row of the message), ``frames`` [1], ``outcome``.
     data : dict of str to dict
         Values per topic until discovery is complete (without recovery, until the end). Keys:
         ``frames`` sent, ``arrived``, losses by cause as in `counts` [1]; ``delay_median_s``,
