@@ -41,6 +41,12 @@ def tab(open_tab: Callable[..., AbstractContextManager[Page]], address: str) -> 
         yield page
 
 
+def open_anew(tab: Page, url: str) -> None:
+    """Load the page with another address: where only its hash differs, nothing would be loaded."""
+    tab.goto("about:blank")
+    tab.goto(url)
+
+
 def see(page: Page) -> None:
     """Scroll to the storm, as nothing is simulated out of sight, and wait until it is drawn."""
     page.locator("#air-form").scroll_into_view_if_needed()
@@ -97,8 +103,7 @@ def test_a_new_seed_is_another_run(tab: Page) -> None:
 
 
 def test_the_storm_can_be_that_of_humbles_release(tab: Page, address: str) -> None:
-    tab.goto(f"{address}#robots=8&middleware=Fast+DDS+2.6")
-    tab.reload()
+    open_anew(tab, f"{address}#robots=8&middleware=Fast+DDS+2.6")
     see(tab)
     told = tab.locator("#air-sum")
     skip(tab)
@@ -120,8 +125,7 @@ def compare(tab: Page, other: str | None) -> None:
 
 @pytest.mark.parametrize("aggregation", [False, True])
 def test_two_are_compared_on_one_clock(tab: Page, address: str, aggregation: bool) -> None:
-    tab.goto(f"{address}#robots=4&aggregation={int(aggregation)}&seed=3&compare=Zenoh+router")
-    tab.reload()
+    open_anew(tab, f"{address}#robots=4&aggregation={int(aggregation)}&seed=3&compare=Zenoh+router")
     tab.locator("#air-form").scroll_into_view_if_needed()  # out of sight nothing is simulated
     expect(tab.locator("#air-canvas-2")).to_be_visible()
     told = tab.locator("#air-sum p")
@@ -218,8 +222,7 @@ def test_the_address_says_what_was_chosen(browser: Browser, tab: Page, address: 
         other.evaluate("location.hash = '#robots=3'")
         expect(other.locator("#air-many")).to_have_text("3")
         expect(other.locator("#ladder input:checked")).to_have_count(0)
-    tab.goto(f"{address}#robots=12")
-    tab.reload()
+    open_anew(tab, f"{address}#robots=12")
     see(tab)
 
 
