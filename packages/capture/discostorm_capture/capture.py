@@ -153,7 +153,7 @@ class Capture:
         return Fleet(tuple(groups))
 
     def vantage_host(self) -> str | None:
-        """Return the only host with captured unicast, if three or more hosts are no servers."""
+        """Return the only host with captured unicast, servers aside; None below three hosts."""
         from discostorm_capture.diagnosis.observations import vantage_host
 
         hosts = set(self._processes["host"]) - {""}
