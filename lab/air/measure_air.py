@@ -117,7 +117,7 @@ def list_runs(points: list[dict[str, str]]) -> tuple[list[dict[str, Any]], list[
             job["env"] |= {"RMW": layers[release]}
             if job["server"]:
                 # Before 3.5.0, clients learn only of endpoints on their own topics.
-                at = f"10.77.0.{job['hosts'] + 1}"
+                at = f"10.77.0.{job['hosts'] + 1 if job['server'] == 'wired' else 1}"
                 job["env"] |= {"ROS_DISCOVERY_SERVER": f"{at}:11811", "AIR_MATCHING": "1"}
                 words = ["-i", "0", "-l", at, "-p", "11811"]
                 job["server_command"] = [*root_description(release)["server"], *words]

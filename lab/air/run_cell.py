@@ -114,6 +114,11 @@ def mac_address_of_station(number: int) -> str:
     return f"00:00:00:00:00:{number:02x}"
 
 
+def number_of_stations(job: dict[str, Any]) -> int:
+    """Return the number of robots, and of one wired host if the server is not on a robot."""
+    return int(job["hosts"]) + (job["server"] == "wired")
+
+
 def build_station(number: int, stations: int) -> int:
     """Move a TAP into new namespaces of a host; return the process id of their holder."""
     pid = create_namespaces(number)
@@ -149,12 +154,12 @@ def start_cell(job: dict[str, Any], out: Path, clock: SlowClock, clean: dict[str
     run_command("ip link set lo up")
     MEMORY.mkdir(exist_ok=True)
     run_command(f"mount -t tmpfs air {MEMORY}")
-    for number in range(1, job["hosts"] + bool(job["server"]) + 1):
+    for number in range(1, number_of_stations(job) + 1):
         run_command(f"ip tuntap add tap{number} mode tap")
         run_command(f"ip link set tap{number} address {mac_address_of_station(number)} up")
     options = {
         "hosts": job["hosts"],
-        "wired": int(bool(job["server"])),
+        "wired": int(job["server"] == "wired"),
         "standard": job["standard"],
         "ampdu": MAX_AMPDU_BYTES * int(job["ampdu"]),
         "queue_frames": job["queue_frames"],
@@ -193,7 +198,7 @@ def start_process(
 
 
 def start_server(job: dict[str, Any], out: Path, holder: int, slow: dict[str, str]) -> Program:
-    """Start a Discovery Server on the wired host."""
+    """Start a Discovery Server on a host."""
     environment = slow | {"LD_PRELOAD": str(BENCH / "slow_clock.so"), "RMW": job["env"]["RMW"]}
     inside = ["nsenter", f"--target={holder}", "--net", "--mount", "nice", "-n", "-8"]
     return Program(
@@ -236,7 +241,7 @@ def run_discovery(job: dict[str, Any], out: Path) -> dict[str, Any]:
     clean = {"PATH": os.environ["PATH"]}
     cell = start_cell(job, out, clock, clean)
     hosts, processes = job["hosts"], job["processes"]
-    stations = hosts + bool(job["server"])
+    stations = number_of_stations(job)
     holders = {number: build_station(number, stations) for number in range(1, stations + 1)}
     patience = EXTRA_WAIT + 3 * clock.factor
     wait_for(lambda: cell.text_after("associated") is not None, patience, "all stations associate")
@@ -256,7 +261,7 @@ def run_discovery(job: dict[str, Any], out: Path) -> dict[str, Any]:
         "all processes are ready",
     )
     if job["server"]:
-        start_server(job, out, holders[stations], slow)
+        start_server(job, out, holders[stations if job["server"] == "wired" else 1], slow)
         time.sleep(SERVER_HEAD_START * clock.factor)
     before = drops_by_kernel(holders)
     cell.write_line("begin")
