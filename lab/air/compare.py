@@ -55,13 +55,11 @@ NOT_ON_THE_BENCH = {
     "ROS ACKNACK",
     "ROS ACKNACK for others",
 }
-#: The table of a Discovery Server by its place; its clients share all topics on the bench.
+#: The tables of a Discovery Server by its place; its clients share all topics on the bench.
 SERVERS = {
     "wired": "Fast DDS Discovery Server",
     "robot": "Fast DDS Discovery Server, on a robot",
 }
-#: What stands for both places of a server in the table of ratios.
-ANYWHERE = "anywhere"
 #: When the simulated robot reboots, long after the others are complete [s].
 REBOOT_AT = 40.0
 #: Writers of SEDP of a process, and octets of UDP in a fragment of a packet [B].
@@ -129,10 +127,7 @@ def simulated_medians(row: dict[str, str], runs: int) -> dict[str, Any]:
     protocol, shared = protocol_on_the_bench(ds.PROTOCOLS[TABLES[row["release"]]], endpoints), 0
     starts = np.zeros(hosts)
     if row["server"]:
-        protocol, shared = (
-            with_timers_of(ds.PROTOCOLS[SERVERS[row["server"]]], protocol),
-            endpoints,
-        )
+        protocol, shared = with_timers_of(ds.PROTOCOLS[SERVERS["wired"]], protocol), endpoints
     if row["start"] == "reboot":
         starts[-1] = REBOOT_AT
     elif row["start"]:
@@ -170,14 +165,14 @@ def simulated_medians(row: dict[str, str], runs: int) -> dict[str, Any]:
 def measured_over_simulated_ranges(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
     """Return the range of measured over simulated times until 95% of the pairs are complete.
 
-    A server has a row for all of its clients, and the clients of each release have one.
+    A server has a row for all of its clients, and one for those of each release.
     """
     tables = defaultdict(list)
     for row in rows:
         if row["sender"] == "waits" and row.get("simulated_t95_s") and not row["start"]:
             tables[row["protocol"], ""].append(row)
             if row["server"]:
-                tables[TABLES[row["release"]], ANYWHERE].append(row)
+                tables[TABLES[row["release"]], row["server"]].append(row)
     for (name, server), own in tables.items():
         # A run that was not complete in time took at least as long as it was watched.
         took = [float(row.get("t95_s") or row["seconds"]) for row in own]
@@ -207,9 +202,11 @@ def main() -> int:
     rows = []
     for point, runs in sorted(points.items()):
         row: dict[str, Any] = dict(zip(POINT_COLUMNS, point, strict=True))
-        row |= {"protocol": SERVERS.get(row["server"]) or TABLES.get(row["release"], "")}
+        table = SERVERS.get(row["server"]) or TABLES.get(row["release"], "")
+        row |= {"protocol": table}
         row |= measured_medians(runs)
-        if row["protocol"] and row["runs"] and not row["edp_answers"]:
+        # The simulator does not repair losses of a server on a robot.
+        if table and row["runs"] and not row["edp_answers"] and row["server"] != "robot":
             row |= simulated_medians(row, given.simulated)
         rows.append(row)
         print(*(f"{name}={row.get(name, '')}" for name in COLUMNS if row.get(name, "") != ""))
