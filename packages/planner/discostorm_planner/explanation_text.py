@@ -32,7 +32,7 @@ def format_explanation(plan: Plan, width: int) -> str:
     lines = [] if alone else [*_drain_time_lines(plan), *_service_wait_lines(plan), ""]
     if plan.data:
         lines += [*_user_data_lines(plan.data, plan.window), ""]
-    lines += [*_airtime_lines(plan), "", "Largest parts of this airtime, which overlap:", *_share_lines(plan)]
+    lines += [*_airtime_lines(plan), "", "Its largest parts, which overlap:", *_share_lines(plan)]
     if alone:  # a lone robot needs no change
         return _wrap_lines([*lines, "", wording.LONE_HOST_NOTE], width)
     number = 0

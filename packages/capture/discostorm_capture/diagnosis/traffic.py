@@ -30,9 +30,7 @@ SERVICE_PORTS = {int(row["port"]): f"{row['port']} ({row['what']})" for row in _
 TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
 
 
-def count_lost_frames(
-    evidence: Evidence,
-) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
+def find_losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
     """Return the lost and the total number of frames, first for samples, then for segments.
 
     Then return the number of lost frames by sending or receiving host, and their times [s]. A
@@ -97,7 +95,7 @@ def _max_read_delay(time: Array, startup: float) -> Array:
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     """Report that frames are lost, and an estimate of their share."""
-    *both, ends, when = count_lost_frames(evidence)
+    *both, ends, when = find_losses(evidence)
     limits = zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True)
     counts = [(*count, *limit) for count, limit in limits if count[0] >= limit[0]]
     if not any(_wilson_ci(lost, sent)[0] >= some for lost, sent, _, some, _ in counts):
