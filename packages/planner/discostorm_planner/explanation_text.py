@@ -32,7 +32,7 @@ def format_explanation(plan: Plan, width: int) -> str:
     lines = [] if alone else [*_drain_time_lines(plan), *_service_wait_lines(plan), ""]
     if plan.data:
         lines += [*_user_data_lines(plan.data, plan.window), ""]
-    lines += [*_airtime_lines(plan), "", "Its largest parts, which overlap:", *_share_lines(plan)]
+    lines += [*_airtime_lines(plan), "", *_share_lines(plan)]
     if alone:  # a lone robot needs no change
         return _wrap_lines([*lines, "", wording.LONE_HOST_NOTE], width)
     number = 0
@@ -143,6 +143,7 @@ def _airtime_lines(plan: Plan) -> Iterator[str]:
 
 def _share_lines(plan: Plan) -> Iterator[str]:
     """Yield the largest message, the largest phase and the largest groups."""
+    yield "Largest parts of this airtime, which overlap:"
     for kind, noun in (("message", "Message type"), ("phase", "Phase")):
         largest = plan.shares_of_kind(kind)[0]
         yield f"- {noun}: {largest.name}, {wording.format_share(largest.share)}."
