@@ -70,7 +70,7 @@ def _has_no_mask_or_labels(value: Any) -> bool:
     return not (isinstance(value, np.ma.MaskedArray) or hasattr(value, "to_numpy"))
 
 
-def _real_numbers(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
+def _real_array(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
     """Return an array of real numbers of any range, or raise a TypeError."""
     if not _has_no_mask_or_labels(value):
         raise TypeError(
@@ -111,7 +111,7 @@ def numbers(
     allowed = describe_range(low, high, exclusive_min, exclusive_max, allow_inf)
     if scalar:
         require_scalars([(name, value)])
-    given = _real_numbers(name, value, allowed if scalar else f"{allowed}, or an array of them")
+    given = _real_array(name, value, allowed if scalar else f"{allowed}, or an array of them")
     try:
         array = given.astype(np.float64, copy=False)
     except OverflowError as error:  # an integer beyond all floats
@@ -146,7 +146,7 @@ def integer(
     """Raise an error unless the value is one whole number in the range."""
     allowed = describe_range(low, high, allow_inf=allow_inf, what="a whole number") + note
     require_scalars([(name, value)])
-    given = _real_numbers(name, value, allowed).item()
+    given = _real_array(name, value, allowed).item()
     if not (low <= given <= high and (given % 1 == 0 or (allow_inf and given == np.inf))):
         raise ValueError(f"{name} must be {allowed}; got {short_repr(value)}")
 

@@ -41,7 +41,7 @@ class FleetInput:
 
 
 def channels_by_cell(fleet: ds.Fleet, wifi: Wifi) -> list[tuple[dict[str, str], ds.Fleet, Wifi]]:
-    """Return extra columns, fleet and channel: once without cells, else for each cell."""
+    """Return extra columns, fleet and channel of each cell; of the whole fleet if it has none."""
     cells = fleet.by_cell().items()
     seen = [({"cell": cell.name}, of_cell, as_wifi(cell.wifi)) for cell, of_cell in cells]
     return seen or [({}, fleet, wifi)]

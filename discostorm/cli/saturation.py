@@ -18,7 +18,7 @@ from discostorm.wifi.radio import aggregation_bounds
 
 @dataclass(frozen=True)
 class VariedGroup:
-    """A group of variable size: its columns, fleet and index, a size to check, and its channel."""
+    """A group of variable size: its columns, fleet and index, the size asked about, and channel."""
 
     columns: dict[str, Any]
     fleet: ds.Fleet

@@ -44,7 +44,7 @@ def _tables(file: str) -> dict[str, dict[str, str]]:
     return {row["protocol"]: row for row in read_data(f"vendors/{file}.csv")}
 
 
-#: Functions that return the rows of a file in ``data/vendors/`` by the name of the table.
+#: Each returns the rows of its file in ``data/vendors/``, by the name of the message table.
 products, product_releases, configurations = (
     partial(_tables, file) for file in ("products", "releases", "configurations")
 )

@@ -142,7 +142,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   function timeWords(time) {
     if (time.median === Infinity) {
       const [low, high] = [share(time.pairs[0] ?? 0), share(time.pairs.at(-1) ?? 0)];
-      return `never (${low === high ? low : low.startsWith("less") ? `at most ${high}` : `${low} to ${high}`} of the pairs)`;
+      return `never (${low === high ? low : low.startsWith("less") ? `at most ${high}` : `${low} to ${high}`} of pairs done)`;
     }
     let text = seconds(time.median);
     const [low, high] = time.interval.map(seconds);
@@ -152,6 +152,9 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (time.isLowerBound) return `at least ${text}, ${share(time.lost)} of the messages lost`;
     return time.repaired ? text : `${text}; nothing lost, no repairs simulated`;
   }
+
+  /** The runs that `nine` counts: all, if there are fewer than ten. */
+  const mostRuns = (runs) => (runs >= RULES.runs ? "nine of ten runs" : runs > 2 ? `all ${runs} runs` : "both runs");
 
   /** The discovery time after a change, in how many runs leases expire, and that after the smallest change that is enough. */
   function afterWords({ time, enough }) {
@@ -182,12 +185,13 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const [middle, nine] = [seconds(today.median), seconds(today.nine)];
     Object.assign(values, { until: seconds(today.until), median: middle, low: middle, nine, lost: share(today.lost), runs: today.times.length, late });
     values.forgetful = today.forgetful;
+    values.most = mostRuns(values.runs);
     if (today.isLowerBound && today.median < Infinity) {
       const slow = today.median > within;
       return { grade: slow ? 2 : 1, title: say(slow ? "unrepaired and slow" : "unrepaired", values), lines: [say("busy", values)] };
     }
     const [fine, lines] = [works(today, within), []];
-    const stop = fine || today.nine < Infinity ? [] : [causes(today, steady, values)];
+    const stop = fine || (today.nine < Infinity && today.lost <= RULES.few_lost) ? [] : [causes(today, steady, values)];
     if (today.median === Infinity) {
       if (today.pairs.length) lines.push(say("share of pairs", { ...values, share: share(median(today.pairs)) }));
       return { grade: 3, title: say(within < today.until ? "never in time" : "never", values), lines: [...lines, ...stop] };

@@ -119,694 +119,675 @@ const s80 = "padded_unicast";
 const s81 = "padded_multicast";
 const s82 = "aggregated_unicast";
 const s83 = "new or reconfigured radios";
-const s84 = "the full gain needs full A-MPDUs; a queue may hold too few frames for one receiver";
-const s85 = {"efforts": ["radio"], "effort": 6, "takes": s83, "best_case": true, "cost": s84, "mind": s84};
-const s86 = "a configuration file";
-const s87 = "failed robots are noticed later, and lost announcements are repeated later";
-const s88 = "one more program";
-const s89 = "robots need the server's address; ros2 tools must be super clients";
-const s90 = "discovery server on a robot";
-const s91 = "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; services count as two endpoints, as in DDS";
-const s92 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": s91, "mind": s91};
-const s93 = "another middleware";
-const s94 = "all hosts must change together";
-const s95 = {"efforts": ["switch"], "effort": 8, "takes": s93, "best_case": false, "cost": s94, "mind": s94};
-const s96 = "all hosts must change together; we assume peers that scout by multicast; the paper does not count the tokens of rmw_zenoh";
-const s97 = ["switch", "server"];
-const s98 = "another middleware and one more program";
-const s99 = "all hosts must change together; robots need the server's address; ros2 tools must be super clients";
-const s100 = "multicast endpoint data";
-const s101 = ["switch", "file"];
-const s102 = "another middleware and a configuration file";
-const s103 = "all hosts must change together; multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later";
-const s104 = "all hosts must change together; you must know the addresses beforehand; every announcement goes to 9 ports of every address (32 with ROS_STATIC_PEERS)";
-const s105 = "all hosts must change together; you must know the addresses beforehand; a process that dials a peer too early may keep dialing every 4 s";
-const s106 = "router on each host";
-const s107 = ["switch", "servers"];
-const s108 = "another middleware and several more programs";
-const s109 = "star of routers";
-const s110 = "static endpoints";
-const s111 = "all hosts must change together; every endpoint, ROS 2's own included, must be listed in every file; Fast DDS 2.9.1 can crash";
-const s112 = "two discovery servers";
-const s113 = "multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later";
-const s114 = "hosts too far away for this rate cannot join; no multicast or management frame may use a lower rate";
-const s115 = {"efforts": ["setting"], "effort": 1, "takes": "a setting", "best_case": false, "cost": s114, "mind": s114};
-const s116 = "you must know the addresses beforehand; every announcement goes to 9 ports of every address (32 with ROS_STATIC_PEERS)";
-const s117 = "you must know the addresses beforehand; a process that dials a peer too early may keep dialing every 4 s";
-const s118 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "only nodes built as components can be composed", "mind": "only nodes built as components can be composed; a crash ends all composed nodes of its host"};
-const s119 = "all hosts and the access point need this radio and must be close enough for its rate";
-const s120 = {"efforts": ["radio"], "effort": 6, "takes": s83, "best_case": false, "cost": s119, "mind": s119};
-const s121 = "all computers need the new ROS release; every package must be rebuilt and retested";
-const s122 = {"efforts": ["upgrade"], "effort": 7, "takes": "another ROS release", "best_case": false, "cost": s121, "mind": s121};
-const s123 = "several more programs";
-const s124 = "discovery cannot be complete before the last host starts";
-const s125 = {"efforts": ["setting"], "effort": 1, "takes": "a setting", "best_case": false, "cost": s124, "mind": s124};
-const s126 = "every endpoint, ROS 2's own included, must be listed in every file; Fast DDS 2.9.1 can crash";
-const s127 = "hostapd.conf of the access point";
-const s128 = "for every process";
-const s129 = "Fast DDS 2.9.1";
-const s130 = "Cyclone DDS 0.10.2 and 11.0.1";
-const s131 = "on a computer that is wired to the access point";
-const s132 = "on every robot";
-const s133 = {
-"where": s132,
-"version": s129,
+const s84 = {"efforts": ["radio"], "effort": 6, "takes": s83, "best_case": true, "cost": "the full gain needs full A-MPDUs; a queue may hold too few frames for one receiver"};
+const s85 = "a configuration file";
+const s86 = "one more program";
+const s87 = "discovery server on a robot";
+const s88 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; services count as two endpoints, as in DDS"};
+const s89 = "another middleware";
+const s90 = {"efforts": ["switch"], "effort": 8, "takes": s89, "best_case": false, "cost": "all hosts must change together"};
+const s91 = ["switch", "server"];
+const s92 = "another middleware and one more program";
+const s93 = "multicast endpoint data";
+const s94 = ["switch", "file"];
+const s95 = "another middleware and a configuration file";
+const s96 = "router on each host";
+const s97 = ["switch", "servers"];
+const s98 = "another middleware and several more programs";
+const s99 = "star of routers";
+const s100 = "static endpoints";
+const s101 = "two discovery servers";
+const s102 = {"efforts": ["setting"], "effort": 1, "takes": "a setting", "best_case": false, "cost": "hosts too far away for this rate cannot join; no multicast or management frame may use a lower rate"};
+const s103 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "only nodes built as components can be composed; a crash ends all composed nodes of its host"};
+const s104 = {"efforts": ["radio"], "effort": 6, "takes": s83, "best_case": false, "cost": "all hosts and the access point need this radio and must be close enough for its rate"};
+const s105 = {"efforts": ["upgrade"], "effort": 7, "takes": "another ROS release", "best_case": false, "cost": "all computers need the new ROS release; every package must be rebuilt and retested"};
+const s106 = "several more programs";
+const s107 = {"efforts": ["setting"], "effort": 1, "takes": "a setting", "best_case": false, "cost": "discovery cannot be complete before the last host starts"};
+const s108 = "hostapd.conf of the access point";
+const s109 = "for every process";
+const s110 = "Fast DDS 2.9.1";
+const s111 = "Cyclone DDS 0.10.2 and 11.0.1";
+const s112 = "on a computer that is wired to the access point";
+const s113 = "on every robot";
+const s114 = {
+"where": s113,
+"version": s110,
 "text": "# on every robot (tested with Fast DDS 2.9.1)\n# Load: ROS_DISCOVERY_SERVER is an environment variable of every process with Fast DDS: run\n# in the shell or put in the service file that starts the ROS 2 processes, before they start\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\n",
 };
-const s134 = {
+const s115 = {
 "where": "for ros2 tools, of any version",
-"version": s129,
+"version": s110,
 "text": "<!-- for ros2 tools, of any version (tested with Fast DDS 2.9.1) -->\n<!-- Load: save as /etc/fast_dds_tools.xml; ros2 and its daemon run with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds_tools.xml and without ROS_DISCOVERY_SERVER -->\n<!-- (from Fast DDS 3.0 on, so in ROS 2 Kilted: FASTDDS_DEFAULT_PROFILES_FILE); begin with ros2 -->\n<!-- daemon stop -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"super_client\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>SUPER_CLIENT</discoveryProtocol>\n            <discoveryServersList>\n              <RemoteServer prefix=\"44.53.00.5f.45.50.52.4f.53.49.4d.41\">\n                <metatrafficUnicastLocatorList>\n                  <locator>\n                    <udpv4>\n                      <address>192.168.1.10</address>\n                      <port>11811</port>\n                    </udpv4>\n                  </locator>\n                </metatrafficUnicastLocatorList>\n              </RemoteServer>\n            </discoveryServersList>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n",
 };
-const s135 = {
+const s116 = {
 "where": "for ros2 tools, of versions that read it",
 "version": "ROS 2 Jazzy",
 "text": "# for ros2 tools, of versions that read it (ROS 2 Jazzy)\n# Load: both are environment variables of ros2 and its daemon: export them in the shell of\n# the tools, then ros2 daemon stop\n# Not run here: compared with its documentation\n# Fast DDS reads ROS_SUPER_CLIENT from 2.6.7 on (ROS 2 Humble), 2.10.3 (Iron) and 2.13.0 (Jazzy and\n# later). Older releases, such as 2.9.1, ignore it: use the profile of a SUPER_CLIENT.\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\nexport ROS_SUPER_CLIENT=TRUE\n",
 };
-const s136 = "on every computer";
-const s137 = {
-"where": s131,
+const s117 = "on every computer";
+const s118 = {
+"where": s112,
 "version": "Zenoh 1.10.2",
 "text": "// on a computer that is wired to the access point (tested with Zenoh 1.10.2)\n// Load: save as /etc/zenoh_router.json5; the router runs with\n// ZENOH_ROUTER_CONFIG_URI=/etc/zenoh_router.json5 (ros2 run rmw_zenoh_cpp rmw_zenohd)\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // These settings repeat those of rmw_zenoh's own file, which this file replaces.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 };
-const s138 = {
+const s119 = {
 "where": "for every process of a robot",
 "version": "Zenoh 1.10.2",
 "text": "// for every process of a robot (tested with Zenoh 1.10.2)\n// Load: save as /etc/zenoh_session.json5; every ROS 2 process runs with\n// ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n{\n  mode: \"peer\",\n  connect: { endpoints: [\"tcp/localhost:7447\"] },\n  listen: { endpoints: [\"tcp/localhost:0\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: {\n      target: { router: [\"router\", \"peer\"], peer: [\"router\"] },\n      autoconnect_strategy: { peer: { to_router: \"always\", to_peer: \"greater-zid\" } },\n    },\n  },\n  // These settings repeat those of rmw_zenoh's own file, which this file replaces.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 };
-const s139 = "a Discovery Server";
-const s140 = "both values use the measured model of Fast DDS";
-const s141 = "Fast DDS Discovery Server";
-const s142 = [s77, s139, s140, s141, "Fast DDS", s77];
-const s143 = "two Discovery Servers";
-const s144 = "Fast DDS Discovery Server, two";
-const s145 = [s112, s143, s140, s144, "Fast DDS", s112];
-const s146 = "a Discovery Server on a robot";
-const s147 = "Fast DDS Discovery Server, on a robot";
-const s148 = [s90, s146, s140, s147, "Fast DDS", s90];
-const s149 = [s110, s110, s140, s110, "Fast DDS", s110];
-const s150 = "both values use the measured model of Cyclone DDS";
-const s151 = "Cyclone DDS peers";
-const s152 = ["peers", "static peers", s150, s151, "Cyclone DDS", "peers"];
-const s153 = "multicast SEDP announcements";
-const s154 = "Cyclone DDS multicast SEDP";
-const s155 = [s100, s153, s150, s154, "Cyclone DDS", s100];
-const s156 = {"measured": "", "range": "0.5 to 2", "hosts": "0", "seconds": "0", "low": "0.5", "high": "2"};
-const s157 = [1, "within a second at best"];
-const s158 = [Infinity, "leases at risk"];
-const s159 = "never catches up";
-const s160 = {"until": [s157, [Infinity, "slow at best"], s158], "never": s159};
-const s161 = {"second": 1, "ever": Infinity};
-const s162 = {"count": "count", "more": ["more", "more2"]};
-const s163 = [s162, s162, s162];
-const s164 = {"count": "count2", "more": ["more3", "more4", "more5"]};
-const s165 = [s164, s164, s164];
-const s166 = {"count": "count3", "more": ["more6", "more7", "more8"]};
-const s167 = [s166, s166, s166];
-const s168 = {"burst": 1, "second": 1, "ever": 0};
-const s169 = "a central router";
-const s170 = "both values use the measured model of Zenoh peer with tokens";
-const s171 = "Zenoh peer, tokens";
-const s172 = ["router", s169, s170, "Zenoh router", s171, "router"];
-const s173 = "a router on each host";
-const s174 = "Zenoh router per host";
-const s175 = [s106, s173, s170, s174, s171, s106];
-const s176 = "a router on each host plus a wired router";
-const s177 = "Zenoh router per host, star";
-const s178 = [s109, s176, s170, s177, s171, s109];
-const s179 = "--ds-family-zenoh";
-const s180 = [s163, s167, s165];
-const s181 = ["KeepAlive", "unicast", 84, 1, 1, 2, "up down", s168];
-const s182 = "switching to Fast DDS with a Discovery Server";
-const s183 = "Fast DDS 2.14 Discovery Server";
-const s184 = "middleware and discovery server";
-const s185 = "switching to Fast DDS with two Discovery Servers";
-const s186 = "Fast DDS 2.14 Discovery Server, two";
-const s187 = "middleware and two discovery servers";
-const s188 = [s90, "switching to Fast DDS with a Discovery Server on a robot", "", s147, "Cyclone DDS", "middleware and discovery server on a robot"];
-const s189 = "switching to Fast DDS with static endpoints";
-const s190 = "middleware and static endpoints";
-const s191 = [s110, s189, "", s110, "Cyclone DDS", s190];
-const s192 = ["peers", "static peers", "", s151, "Cyclone DDS", "peers"];
-const s193 = [s100, s153, "", s154, "Cyclone DDS", s100];
-const s194 = "switching to Zenoh with a central router";
-const s195 = "middleware and router";
-const s196 = ["router", s194, "", "Zenoh router", "Cyclone DDS", s195];
-const s197 = "switching to Zenoh with a router on each host";
-const s198 = "middleware and router on each host";
-const s199 = [s106, s197, "", s174, "Cyclone DDS", s198];
-const s200 = "switching to Zenoh with a router on each host plus a wired router";
-const s201 = "middleware and star of routers";
-const s202 = [s109, s200, "", s177, "Cyclone DDS", s201];
-const s203 = "a longer announcement interval";
-const s204 = ["announcements", s203, "", "Cyclone DDS, a longer announcement interval", "Cyclone DDS", "announcements"];
-const s205 = "moving to ROS 2 Lyrical (Cyclone DDS, version 11)";
-const s206 = ["release", s205, "", s2, "Cyclone DDS", "release"];
-const s207 = "switching to Zenoh peer, tokens";
-const s208 = ["middleware", s207, "", s171, "Cyclone DDS", "middleware"];
-const s209 = "Fast DDS 2.6 Discovery Server";
-const s210 = "Fast DDS 2.6 Discovery Server, two";
-const s211 = "Fast DDS 3.6 Discovery Server";
-const s212 = "Fast DDS 3.6 Discovery Server, two";
-const s213 = "switching to Fast DDS 3.6";
-const s214 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
-const s215 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in an emulated Wi-Fi cell without frame aggregation, where 8 robots had done only 19% of discovery after 12 s";
-const s216 = {"measured": "Cyclone DDS", "range": "0.08 to 6.76", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
-const s217 = "--ds-product-cyclone-dds";
-const s218 = [
+const s120 = "a Discovery Server";
+const s121 = "both values use the measured model of Fast DDS";
+const s122 = "Fast DDS Discovery Server";
+const s123 = [s77, s120, s121, s122, "Fast DDS", s77];
+const s124 = "two Discovery Servers";
+const s125 = "Fast DDS Discovery Server, two";
+const s126 = [s101, s124, s121, s125, "Fast DDS", s101];
+const s127 = "a Discovery Server on a robot";
+const s128 = "Fast DDS Discovery Server, on a robot";
+const s129 = [s87, s127, s121, s128, "Fast DDS", s87];
+const s130 = [s100, s100, s121, s100, "Fast DDS", s100];
+const s131 = "both values use the measured model of Cyclone DDS";
+const s132 = "Cyclone DDS peers";
+const s133 = ["peers", "static peers", s131, s132, "Cyclone DDS", "peers"];
+const s134 = "multicast SEDP announcements";
+const s135 = "Cyclone DDS multicast SEDP";
+const s136 = [s93, s134, s131, s135, "Cyclone DDS", s93];
+const s137 = {"measured": "", "range": "0.5 to 2", "hosts": "0", "seconds": "0", "low": "0.5", "high": "2"};
+const s138 = [1, "within a second at best"];
+const s139 = [Infinity, "leases at risk"];
+const s140 = "never catches up";
+const s141 = {"until": [s138, [Infinity, "slow at best"], s139], "never": s140};
+const s142 = {"second": 1, "ever": Infinity};
+const s143 = {"count": "count", "more": ["more", "more2"]};
+const s144 = [s143, s143, s143];
+const s145 = {"count": "count2", "more": ["more3", "more4", "more5"]};
+const s146 = [s145, s145, s145];
+const s147 = {"count": "count3", "more": ["more6", "more7", "more8"]};
+const s148 = [s147, s147, s147];
+const s149 = {"burst": 1, "second": 1, "ever": 0};
+const s150 = "a central router";
+const s151 = "both values use the measured model of Zenoh peer with tokens";
+const s152 = "Zenoh peer, tokens";
+const s153 = ["router", s150, s151, "Zenoh router", s152, "router"];
+const s154 = "a router on each host";
+const s155 = "Zenoh router per host";
+const s156 = [s96, s154, s151, s155, s152, s96];
+const s157 = "a router on each host plus a wired router";
+const s158 = "Zenoh router per host, star";
+const s159 = [s99, s157, s151, s158, s152, s99];
+const s160 = "--ds-family-zenoh";
+const s161 = [s144, s148, s146];
+const s162 = ["KeepAlive", "unicast", 84, 1, 1, 2, "up down", s149];
+const s163 = "switching to Fast DDS with a Discovery Server";
+const s164 = "Fast DDS 2.14 Discovery Server";
+const s165 = "middleware and discovery server";
+const s166 = "switching to Fast DDS with two Discovery Servers";
+const s167 = "Fast DDS 2.14 Discovery Server, two";
+const s168 = "middleware and two discovery servers";
+const s169 = [s87, "switching to Fast DDS with a Discovery Server on a robot", "", s128, "Cyclone DDS", "middleware and discovery server on a robot"];
+const s170 = "switching to Fast DDS with static endpoints";
+const s171 = "middleware and static endpoints";
+const s172 = [s100, s170, "", s100, "Cyclone DDS", s171];
+const s173 = ["peers", "static peers", "", s132, "Cyclone DDS", "peers"];
+const s174 = [s93, s134, "", s135, "Cyclone DDS", s93];
+const s175 = "switching to Zenoh with a central router";
+const s176 = "middleware and router";
+const s177 = ["router", s175, "", "Zenoh router", "Cyclone DDS", s176];
+const s178 = "switching to Zenoh with a router on each host";
+const s179 = "middleware and router on each host";
+const s180 = [s96, s178, "", s155, "Cyclone DDS", s179];
+const s181 = "switching to Zenoh with a router on each host plus a wired router";
+const s182 = "middleware and star of routers";
+const s183 = [s99, s181, "", s158, "Cyclone DDS", s182];
+const s184 = "a longer announcement interval";
+const s185 = ["announcements", s184, "", "Cyclone DDS, a longer announcement interval", "Cyclone DDS", "announcements"];
+const s186 = "moving to ROS 2 Lyrical (Cyclone DDS, version 11)";
+const s187 = ["release", s186, "", s2, "Cyclone DDS", "release"];
+const s188 = "switching to Zenoh peer, tokens";
+const s189 = ["middleware", s188, "", s152, "Cyclone DDS", "middleware"];
+const s190 = "Fast DDS 2.6 Discovery Server";
+const s191 = "Fast DDS 2.6 Discovery Server, two";
+const s192 = "Fast DDS 3.6 Discovery Server";
+const s193 = "Fast DDS 3.6 Discovery Server, two";
+const s194 = "switching to Fast DDS 3.6";
+const s195 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
+const s196 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in an emulated Wi-Fi cell without frame aggregation, where 8 robots had done only 19% of discovery after 12 s";
+const s197 = {"measured": "Cyclone DDS", "range": "0.08 to 6.76", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
+const s198 = "--ds-product-cyclone-dds";
+const s199 = [
 [1, 1.67, 11.3, "In 24 swarms within these sizes, left out of the fit, discovery took 0.68 to 1.26 times the predicted airtime (typical error 9%). We expect 92% of such swarms in this range"],
 [2, 1.67, 11.3, "In 9 swarms of up to twice these sizes, left out of the fit, discovery took 0.94 to 1.44 times the predicted airtime (typical error 16%). We expect 80% of such swarms in this range"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, left out of the fit, discovery took 1.31 to 1.47 times the predicted airtime (typical error 39%). With so few swarms, we give no interval"],
 ];
-const s219 = {"until": [s157, [10, "slow at best"], s158], "never": s159};
-const s220 = {"second": 1, "lease": 10, "ever": Infinity};
-const s221 = {"count": "count4", "more": ["more9", "more10", "more11", "more12"]};
-const s222 = [s221, s221, s221];
-const s223 = {"count": "count5", "more": ["more13", "more14", "more15", "more16"]};
-const s224 = [s223, s223, s223];
-const s225 = {"count": "count6", "more": []};
-const s226 = [s225, {"count": "count7", "more": ["more17", "more18", "more19"]}, {"count": "count8", "more": ["more20", "more21", "more22"]}];
-const s227 = [s163, s167, s165, s222, s224, s226, [s225, {"count": "count9", "more": ["more23", "more24", "more25", "more26"]}, {"count": "count10", "more": ["more27", "more28", "more29", "more30"]}]];
-const s228 = {"burst": 1.9875, "second": 2.1125, "lease": 0.32375, "ever": 0.125};
-const s229 = {"burst": 0.9875, "second": 1.1125, "lease": 0.22375, "ever": 0.125};
-const s230 = {"burst": 4, "second": 4, "lease": 0.4, "ever": 0};
-const s231 = 972.4761045987376;
-const s232 = {"burst": 1, "second": 1, "lease": 0.1, "ever": 0};
-const s233 = 154.45158821278227;
-const s234 = "Heartbeat of data";
-const s235 = 187.0099502487562;
-const s236 = "ACKNACK for others";
-const s237 = 179.99005799502902;
-const s238 = {"burst": 0, "second": 0.125, "lease": 0.125, "ever": 0.125};
-const s239 = ["Liveliness", "unicast", s237, 0.7242, 1, 1, "up down", s238];
-const s240 = "Liveliness at start";
-const s241 = 190.54725731648807;
-const s242 = "Liveliness for others";
-const s243 = "Liveliness Heartbeat";
-const s244 = 180.02610587382162;
-const s245 = [s243, "unicast", s244, 0.2758, 1, 1, "up down", s238];
-const s246 = "Liveliness Heartbeat at start";
-const s247 = 153.8987676056338;
-const s248 = "Liveliness ACKNACK";
-const s249 = [s248, "unicast", 128, 1, 1, 1, "up down", s238];
-const s250 = "Liveliness ACKNACK at start";
-const s251 = 181.3784494086728;
-const s252 = "Liveliness ACKNACK for others";
-const s253 = "Type lookup Heartbeat";
-const s254 = 129.08962679988247;
-const s255 = "Type lookup ACKNACK";
-const s256 = 195.20030291556228;
-const s257 = "Type lookup ACKNACK for others";
-const s258 = "User Heartbeat";
-const s259 = 139.31615175284134;
-const s260 = "User Heartbeat for others";
-const s261 = 182.43195266272187;
-const s262 = "User ACKNACK for others";
-const s263 = "the server forwards everything, as in Fast DDS 3.6";
-const s264 = "Cyclone DDS, wired";
-const s265 = "moving to ROS 2 Jazzy (Cyclone DDS)";
-const s266 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
-const s267 = [[1, 1, 1, "In 7 swarms within these sizes, left out of the fit, discovery took 0.95 to 1.13 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
-const s268 = [s163, s167, s165, s224, s226];
-const s269 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s228];
-const s270 = 493.08762420957544;
-const s271 = 1167.7479630635523;
-const s272 = "SEDP multicast";
-const s273 = 961.6660682226212;
-const s274 = "Heartbeat multicast";
-const s275 = 201.42013994523882;
-const s276 = 199.39703903095557;
-const s277 = 150.79816322270926;
-const s278 = "Liveliness unicast";
-const s279 = 245.09790605546124;
-const s280 = "Liveliness Heartbeat unicast";
-const s281 = 234.05196032120926;
-const s282 = 187.1920199501247;
-const s283 = 224.96579476861166;
-const s284 = "Type lookup Heartbeat unicast";
-const s285 = 230.92749087115283;
-const s286 = 230.46065100947672;
-const s287 = "User Heartbeat multicast";
-const s288 = 232.6802973977695;
-const s289 = 226.06745510293473;
-const s290 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
-const s291 = [
+const s200 = {"until": [s138, [10, "slow at best"], s139], "never": s140};
+const s201 = {"second": 1, "lease": 10, "ever": Infinity};
+const s202 = {"count": "count4", "more": ["more9", "more10", "more11", "more12"]};
+const s203 = [s202, s202, s202];
+const s204 = {"count": "count5", "more": ["more13", "more14", "more15", "more16"]};
+const s205 = [s204, s204, s204];
+const s206 = {"count": "count6", "more": []};
+const s207 = [s206, {"count": "count7", "more": ["more17", "more18", "more19"]}, {"count": "count8", "more": ["more20", "more21", "more22"]}];
+const s208 = [s144, s148, s146, s203, s205, s207, [s206, {"count": "count9", "more": ["more23", "more24", "more25", "more26"]}, {"count": "count10", "more": ["more27", "more28", "more29", "more30"]}]];
+const s209 = {"burst": 1.9875, "second": 2.1125, "lease": 0.32375, "ever": 0.125};
+const s210 = {"burst": 0.9875, "second": 1.1125, "lease": 0.22375, "ever": 0.125};
+const s211 = {"burst": 4, "second": 4, "lease": 0.4, "ever": 0};
+const s212 = 972.4761045987376;
+const s213 = {"burst": 1, "second": 1, "lease": 0.1, "ever": 0};
+const s214 = 154.45158821278227;
+const s215 = "Heartbeat of data";
+const s216 = 187.0099502487562;
+const s217 = "ACKNACK for others";
+const s218 = 179.99005799502902;
+const s219 = {"burst": 0, "second": 0.125, "lease": 0.125, "ever": 0.125};
+const s220 = ["Liveliness", "unicast", s218, 0.7242, 1, 1, "up down", s219];
+const s221 = "Liveliness at start";
+const s222 = 190.54725731648807;
+const s223 = "Liveliness for others";
+const s224 = "Liveliness Heartbeat";
+const s225 = 180.02610587382162;
+const s226 = [s224, "unicast", s225, 0.2758, 1, 1, "up down", s219];
+const s227 = "Liveliness Heartbeat at start";
+const s228 = 153.8987676056338;
+const s229 = "Liveliness ACKNACK";
+const s230 = [s229, "unicast", 128, 1, 1, 1, "up down", s219];
+const s231 = "Liveliness ACKNACK at start";
+const s232 = 181.3784494086728;
+const s233 = "Liveliness ACKNACK for others";
+const s234 = "Type lookup Heartbeat";
+const s235 = 129.08962679988247;
+const s236 = "Type lookup ACKNACK";
+const s237 = 195.20030291556228;
+const s238 = "Type lookup ACKNACK for others";
+const s239 = "User Heartbeat";
+const s240 = 139.31615175284134;
+const s241 = "User Heartbeat for others";
+const s242 = 182.43195266272187;
+const s243 = "User ACKNACK for others";
+const s244 = "the server forwards everything, as in Fast DDS 3.6";
+const s245 = "Cyclone DDS, wired";
+const s246 = "moving to ROS 2 Jazzy (Cyclone DDS)";
+const s247 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
+const s248 = [[1, 1, 1, "In 7 swarms within these sizes, left out of the fit, discovery took 0.95 to 1.13 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
+const s249 = [s144, s148, s146, s205, s207];
+const s250 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s209];
+const s251 = 493.08762420957544;
+const s252 = 1167.7479630635523;
+const s253 = "SEDP multicast";
+const s254 = 961.6660682226212;
+const s255 = "Heartbeat multicast";
+const s256 = 201.42013994523882;
+const s257 = 199.39703903095557;
+const s258 = 150.79816322270926;
+const s259 = "Liveliness unicast";
+const s260 = 245.09790605546124;
+const s261 = "Liveliness Heartbeat unicast";
+const s262 = 234.05196032120926;
+const s263 = 187.1920199501247;
+const s264 = 224.96579476861166;
+const s265 = "Type lookup Heartbeat unicast";
+const s266 = 230.92749087115283;
+const s267 = 230.46065100947672;
+const s268 = "User Heartbeat multicast";
+const s269 = 232.6802973977695;
+const s270 = 226.06745510293473;
+const s271 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
+const s272 = [
 [1, 1.67, 11.3, "In 26 swarms within these sizes, left out of the fit, discovery took 0.72 to 1.32 times the predicted airtime (typical error 9%). We expect 93% of such swarms in this range"],
 [2, 1.67, 11.3, "In 11 swarms of up to twice these sizes, left out of the fit, discovery took 1.00 to 1.43 times the predicted airtime (typical error 22%). We expect 83% of such swarms in this range"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, left out of the fit, discovery took 1.28 to 1.48 times the predicted airtime (typical error 38%). With so few swarms, we give no interval"],
 ];
-const s292 = 432.2946357085669;
-const s293 = 726.2444541104828;
-const s294 = 153.93607305936075;
-const s295 = 186.8277247614264;
-const s296 = 187.05568338702255;
-const s297 = 156.2517609634174;
-const s298 = 190.87976752633492;
-const s299 = 132.5107047976246;
-const s300 = 204.12578616352204;
-const s301 = 133.94982078853047;
-const s302 = 167.8055937643283;
-const s303 = "switching to Cyclone DDS, version 11";
-const s304 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
-const s305 = [[1, 1, 1, "In 7 swarms within these sizes, left out of the fit, discovery took 0.94 to 1.33 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
-const s306 = {"count": "count11", "more": ["more31", "more32", "more2"]};
-const s307 = [s306, s306, s306];
-const s308 = {"count": "count12", "more": ["more33", "more34", "more35"]};
-const s309 = [s308, s308, s308];
-const s310 = [s307, s309, s167, s165, s222, s224, s226];
-const s311 = "ICMP unreachable";
-const s312 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
-const s313 = 442.0177243557095;
-const s314 = 1224.46511627907;
-const s315 = 334.84114485689287;
-const s316 = 150.13620569840168;
-const s317 = 191.25372354324537;
-const s318 = 180.00607650876952;
-const s319 = 170.0050484920951;
-const s320 = 179.9840521928235;
-const s321 = 156.0150305307656;
-const s322 = 190.60377358490564;
-const s323 = 134.67330119732546;
-const s324 = 185.2367491166078;
-const s325 = 147.20074005550418;
-const s326 = 166.51716247139586;
-const s327 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
-const s328 = [[1, 1, 1, "In 7 swarms within these sizes, left out of the fit, discovery took 0.91 to 1.10 times the predicted airtime (typical error 8%). We expect 75% of such swarms in this range"]];
-const s329 = 492.4140969162995;
-const s330 = 1040.4988009592325;
-const s331 = 965.8901890189019;
-const s332 = 215.89285714285714;
-const s333 = 213.31594018453706;
-const s334 = 200.7060146149522;
-const s335 = 180.02209944751382;
-const s336 = 152.05954502568403;
-const s337 = 510.6666666666667;
-const s338 = 179.94202898550725;
-const s339 = 201.4570446735395;
-const s340 = 219.65142364106987;
-const s341 = 186.30392156862746;
-const s342 = 207.01075268817203;
-const s343 = 249.3997682502897;
-const s344 = 210.50383141762453;
-const s345 = 176.79097672186225;
-const s346 = 122.00209989500526;
-const s347 = 167.19174466042716;
-const s348 = "switching to Cyclone DDS with static peers";
-const s349 = "middleware and peers";
-const s350 = "switching to Cyclone DDS with multicast SEDP announcements";
-const s351 = "middleware and multicast endpoint data";
-const s352 = "one server, wired to the access point (measured with 2.9.1)";
-const s353 = {"measured": s141, "range": "0.99 to 1.63", "hosts": "12", "seconds": "15", "low": "0.99", "high": "1.63"};
-const s354 = "--ds-product-fast-dds";
-const s355 = [[1, 1, 1, "In 6 swarms within these sizes, left out of the fit, discovery took 1.00 to 1.10 times the predicted airtime (typical error 4%). We expect 71% of such swarms in this range"]];
-const s356 = {"until": [s157, [20, "slow at best"], s158], "never": s159};
-const s357 = {"second": 1, "lease": 20, "ever": Infinity};
-const s358 = {"count": "count13", "more": ["more36", "more37", "more38"]};
-const s359 = {"count": "count14", "more": ["more39", "more40"]};
-const s360 = [s359, s359, s359];
-const s361 = {"count": "count16", "more": ["more44", "more45", "more5"]};
-const s362 = {"count": "count17", "more": ["more46", "more47", "more38"]};
-const s363 = [s225, s362, s362];
-const s364 = [s163, [s225, s358, s358], s360, [s225, {"count": "count15", "more": ["more41", "more42", "more43"]}, s361], s363, s226];
-const s365 = "SPDP to server";
-const s366 = 0.3333333333333333;
-const s367 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": s366};
-const s368 = "SPDP of server";
-const s369 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": s366};
-const s370 = "SPDP of server at discovery";
-const s371 = 748.3930635838151;
-const s372 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
-const s373 = "SPDP of others";
-const s374 = 683.9365973934484;
-const s375 = "SPDP Heartbeat";
-const s376 = "SPDP Heartbeat of server";
-const s377 = 250.29586195342605;
-const s378 = "SPDP Heartbeat of others";
-const s379 = 354.98051539912007;
-const s380 = "SPDP ACKNACK of others";
-const s381 = "SPDP ACKNACK of server";
-const s382 = 204.14209591474247;
-const s383 = "SEDP to server";
-const s384 = "SEDP of others";
-const s385 = 655.9962112242481;
-const s386 = "Heartbeat of server";
-const s387 = "Heartbeat of others";
-const s388 = 451.4893977947413;
-const s389 = "ACKNACK of others";
-const s390 = "ACKNACK of server";
-const s391 = 205.97133664814274;
-const s392 = "Liveliness Heartbeat to server";
-const s393 = "Liveliness Heartbeat of server";
-const s394 = [s243, "unicast", 192, 1, 4, 1.292, "up down", s372];
-const s395 = "Liveliness ACKNACK to server";
-const s396 = "Liveliness ACKNACK of server";
-const s397 = [s248, "unicast", 188, 1, 4, 1.292, "up down", s372];
-const s398 = [s258, "unicast", 192, 1, 5, 1.021, "up down", s372];
-const s399 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", s372];
-const s400 = [
-[s365, "unicast", 652, 1, 0, 1, "up", s367],
-[s368, "unicast", 700, 1, 0, 1, "down", s369],
-[s370, "unicast", s371, 0.865, 0, 1, "down", s372],
-[s373, "unicast", s374, 0.8517, 1, 1.967, "down", s372],
-[s375, "unicast", 192, 1, 0, 2, "up", s372],
-[s376, "unicast", s377, 0.5969, 0, 2.167, "down", s372],
-[s378, "unicast", s379, 0.3182, 1, 2.908, "down", s372],
-["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", s372],
-[s380, "unicast", 190.2, 1, 1, 0.5083, "up", s372],
-[s381, "unicast", 188, 1, 0, 2, "down", s372],
-["SPDP Gap", "unicast", s382, 0.6193, 1, 1.6, "down", s372],
-[s383, "unicast", 1152, 0.45, 2, 1, "up", s372],
-[s384, "unicast", s385, 0.8446, 3, 1.237, "down", s372],
-["Heartbeat", "unicast", 192, 1, 0, 4, "up", s372],
-[s386, "unicast", 192, 1, 0, 4, "down", s372],
-[s387, "unicast", s388, 0.2358, 3, 1.892, "down", s372],
-["ACKNACK", "unicast", 188, 1, 0, 4, "up", s372],
-[s389, "unicast", 191.3, 1, 3, 0.45, "up", s372],
-[s390, "unicast", 188.5, 1, 0, 15.6, "down", s372],
-["Gap", "unicast", s391, 0.6838, 3, 0.645, "down", s372],
-[s392, "unicast", 192, 1, 0, 1, "up", s372],
-[s393, "unicast", 192, 1, 0, 2, "down", s372],
-s394,
-[s395, "unicast", 188, 1, 0, 2, "up", s372],
-[s396, "unicast", 188, 1, 0, 2, "down", s372],
-s397,
-s398,
-s399,
+const s273 = 432.2946357085669;
+const s274 = 726.2444541104828;
+const s275 = 153.93607305936075;
+const s276 = 186.8277247614264;
+const s277 = 187.05568338702255;
+const s278 = 156.2517609634174;
+const s279 = 190.87976752633492;
+const s280 = 132.5107047976246;
+const s281 = 204.12578616352204;
+const s282 = 133.94982078853047;
+const s283 = 167.8055937643283;
+const s284 = "switching to Cyclone DDS, version 11";
+const s285 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
+const s286 = [[1, 1, 1, "In 7 swarms within these sizes, left out of the fit, discovery took 0.94 to 1.33 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
+const s287 = {"count": "count11", "more": ["more31", "more32", "more2"]};
+const s288 = [s287, s287, s287];
+const s289 = {"count": "count12", "more": ["more33", "more34", "more35"]};
+const s290 = [s289, s289, s289];
+const s291 = [s288, s290, s148, s146, s203, s205, s207];
+const s292 = "ICMP unreachable";
+const s293 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
+const s294 = 442.0177243557095;
+const s295 = 1224.46511627907;
+const s296 = 334.84114485689287;
+const s297 = 150.13620569840168;
+const s298 = 191.25372354324537;
+const s299 = 180.00607650876952;
+const s300 = 170.0050484920951;
+const s301 = 179.9840521928235;
+const s302 = 156.0150305307656;
+const s303 = 190.60377358490564;
+const s304 = 134.67330119732546;
+const s305 = 185.2367491166078;
+const s306 = 147.20074005550418;
+const s307 = 166.51716247139586;
+const s308 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
+const s309 = [[1, 1, 1, "In 7 swarms within these sizes, left out of the fit, discovery took 0.91 to 1.10 times the predicted airtime (typical error 8%). We expect 75% of such swarms in this range"]];
+const s310 = 492.4140969162995;
+const s311 = 1040.4988009592325;
+const s312 = 965.8901890189019;
+const s313 = 215.89285714285714;
+const s314 = 213.31594018453706;
+const s315 = 200.7060146149522;
+const s316 = 180.02209944751382;
+const s317 = 152.05954502568403;
+const s318 = 510.6666666666667;
+const s319 = 179.94202898550725;
+const s320 = 201.4570446735395;
+const s321 = 219.65142364106987;
+const s322 = 186.30392156862746;
+const s323 = 207.01075268817203;
+const s324 = 249.3997682502897;
+const s325 = 210.50383141762453;
+const s326 = 176.79097672186225;
+const s327 = 122.00209989500526;
+const s328 = 167.19174466042716;
+const s329 = "switching to Cyclone DDS with static peers";
+const s330 = "middleware and peers";
+const s331 = "switching to Cyclone DDS with multicast SEDP announcements";
+const s332 = "middleware and multicast endpoint data";
+const s333 = "one server, wired to the access point (measured with 2.9.1)";
+const s334 = {"measured": s122, "range": "0.99 to 1.63", "hosts": "12", "seconds": "15", "low": "0.99", "high": "1.63"};
+const s335 = "--ds-product-fast-dds";
+const s336 = [[1, 1, 1, "In 6 swarms within these sizes, left out of the fit, discovery took 1.00 to 1.10 times the predicted airtime (typical error 4%). We expect 71% of such swarms in this range"]];
+const s337 = {"until": [s138, [20, "slow at best"], s139], "never": s140};
+const s338 = {"second": 1, "lease": 20, "ever": Infinity};
+const s339 = {"count": "count13", "more": ["more36", "more37", "more38"]};
+const s340 = {"count": "count14", "more": ["more39", "more40"]};
+const s341 = [s340, s340, s340];
+const s342 = {"count": "count16", "more": ["more44", "more45", "more5"]};
+const s343 = {"count": "count17", "more": ["more46", "more47", "more38"]};
+const s344 = [s206, s343, s343];
+const s345 = [s144, [s206, s339, s339], s341, [s206, {"count": "count15", "more": ["more41", "more42", "more43"]}, s342], s344, s207];
+const s346 = "SPDP to server";
+const s347 = 0.3333333333333333;
+const s348 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": s347};
+const s349 = "SPDP of server";
+const s350 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": s347};
+const s351 = "SPDP of server at discovery";
+const s352 = 748.3930635838151;
+const s353 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
+const s354 = "SPDP of others";
+const s355 = 683.9365973934484;
+const s356 = "SPDP Heartbeat";
+const s357 = "SPDP Heartbeat of server";
+const s358 = 250.29586195342605;
+const s359 = "SPDP Heartbeat of others";
+const s360 = 354.98051539912007;
+const s361 = "SPDP ACKNACK of others";
+const s362 = "SPDP ACKNACK of server";
+const s363 = 204.14209591474247;
+const s364 = "SEDP to server";
+const s365 = "SEDP of others";
+const s366 = 655.9962112242481;
+const s367 = "Heartbeat of server";
+const s368 = "Heartbeat of others";
+const s369 = 451.4893977947413;
+const s370 = "ACKNACK of others";
+const s371 = "ACKNACK of server";
+const s372 = 205.97133664814274;
+const s373 = "Liveliness Heartbeat to server";
+const s374 = "Liveliness Heartbeat of server";
+const s375 = [s224, "unicast", 192, 1, 4, 1.292, "up down", s353];
+const s376 = "Liveliness ACKNACK to server";
+const s377 = "Liveliness ACKNACK of server";
+const s378 = [s229, "unicast", 188, 1, 4, 1.292, "up down", s353];
+const s379 = [s239, "unicast", 192, 1, 5, 1.021, "up down", s353];
+const s380 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", s353];
+const s381 = [
+[s346, "unicast", 652, 1, 0, 1, "up", s348],
+[s349, "unicast", 700, 1, 0, 1, "down", s350],
+[s351, "unicast", s352, 0.865, 0, 1, "down", s353],
+[s354, "unicast", s355, 0.8517, 1, 1.967, "down", s353],
+[s356, "unicast", 192, 1, 0, 2, "up", s353],
+[s357, "unicast", s358, 0.5969, 0, 2.167, "down", s353],
+[s359, "unicast", s360, 0.3182, 1, 2.908, "down", s353],
+["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", s353],
+[s361, "unicast", 190.2, 1, 1, 0.5083, "up", s353],
+[s362, "unicast", 188, 1, 0, 2, "down", s353],
+["SPDP Gap", "unicast", s363, 0.6193, 1, 1.6, "down", s353],
+[s364, "unicast", 1152, 0.45, 2, 1, "up", s353],
+[s365, "unicast", s366, 0.8446, 3, 1.237, "down", s353],
+["Heartbeat", "unicast", 192, 1, 0, 4, "up", s353],
+[s367, "unicast", 192, 1, 0, 4, "down", s353],
+[s368, "unicast", s369, 0.2358, 3, 1.892, "down", s353],
+["ACKNACK", "unicast", 188, 1, 0, 4, "up", s353],
+[s370, "unicast", 191.3, 1, 3, 0.45, "up", s353],
+[s371, "unicast", 188.5, 1, 0, 15.6, "down", s353],
+["Gap", "unicast", s372, 0.6838, 3, 0.645, "down", s353],
+[s373, "unicast", 192, 1, 0, 1, "up", s353],
+[s374, "unicast", 192, 1, 0, 2, "down", s353],
+s375,
+[s376, "unicast", 188, 1, 0, 2, "up", s353],
+[s377, "unicast", 188, 1, 0, 2, "down", s353],
+s378,
+s379,
+s380,
 ];
-const s401 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
-const s402 = {"measured": "Fast DDS", "range": "0.97 to 2.03", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
-const s403 = [[1, 1, 1, "In 6 swarms within these sizes, left out of the fit, discovery took 1.00 to 1.05 times the predicted airtime (typical error 2%). We expect 71% of such swarms in this range"]];
-const s404 = [
-[s365, "unicast", 636, 1, 0, 2, "up", s367],
-[s368, "unicast", 700, 1, 0, 2, "down", s369],
-[s370, "unicast", 747.8396673212429, 0.8657, 0, 2, "down", s372],
-[s373, "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", s372],
-[s375, "unicast", 192, 1, 0, 4, "up", s372],
-[s376, "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", s372],
-[s378, "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", s372],
-["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", s372],
-[s380, "unicast", 190.5, 1, 1, 0.9417, "up", s372],
-[s381, "unicast", 188, 1, 0, 4, "down", s372],
-["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", s372],
-[s383, "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", s372],
-[s384, "unicast", s385, 0.8446, 3, 2.45, "down", s372],
-["Heartbeat", "unicast", 184, 1, 0, 8, "up", s372],
-[s386, "unicast", 192, 1, 0, 8, "down", s372],
-[s387, "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", s372],
-["ACKNACK", "unicast", 188, 1, 0, 8, "up", s372],
-[s389, "unicast", 190.8, 1, 3, 0.85, "up", s372],
-[s390, "unicast", 188.5, 1, 0, 31.6, "down", s372],
-["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", s372],
-[s392, "unicast", 192, 1, 0, 2, "up", s372],
-[s393, "unicast", 192, 1, 0, 4, "down", s372],
-[s243, "unicast", 192, 1, 4, 1.208, "up down", s372],
-[s395, "unicast", 188, 1, 0, 4, "up", s372],
-[s396, "unicast", 188, 1, 0, 4, "down", s372],
-[s248, "unicast", 188, 1, 4, 1.208, "up down", s372],
-[s258, "unicast", 192, 1, 5, 1.08, "up down", s372],
-["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", s372],
+const s382 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
+const s383 = {"measured": "Fast DDS", "range": "0.97 to 2.03", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
+const s384 = [[1, 1, 1, "In 6 swarms within these sizes, left out of the fit, discovery took 1.00 to 1.05 times the predicted airtime (typical error 2%). We expect 71% of such swarms in this range"]];
+const s385 = [
+[s346, "unicast", 636, 1, 0, 2, "up", s348],
+[s349, "unicast", 700, 1, 0, 2, "down", s350],
+[s351, "unicast", 747.8396673212429, 0.8657, 0, 2, "down", s353],
+[s354, "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", s353],
+[s356, "unicast", 192, 1, 0, 4, "up", s353],
+[s357, "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", s353],
+[s359, "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", s353],
+["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", s353],
+[s361, "unicast", 190.5, 1, 1, 0.9417, "up", s353],
+[s362, "unicast", 188, 1, 0, 4, "down", s353],
+["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", s353],
+[s364, "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", s353],
+[s365, "unicast", s366, 0.8446, 3, 2.45, "down", s353],
+["Heartbeat", "unicast", 184, 1, 0, 8, "up", s353],
+[s367, "unicast", 192, 1, 0, 8, "down", s353],
+[s368, "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", s353],
+["ACKNACK", "unicast", 188, 1, 0, 8, "up", s353],
+[s370, "unicast", 190.8, 1, 3, 0.85, "up", s353],
+[s371, "unicast", 188.5, 1, 0, 31.6, "down", s353],
+["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", s353],
+[s373, "unicast", 192, 1, 0, 2, "up", s353],
+[s374, "unicast", 192, 1, 0, 4, "down", s353],
+[s224, "unicast", 192, 1, 4, 1.208, "up down", s353],
+[s376, "unicast", 188, 1, 0, 4, "up", s353],
+[s377, "unicast", 188, 1, 0, 4, "down", s353],
+[s229, "unicast", 188, 1, 4, 1.208, "up down", s353],
+[s239, "unicast", 192, 1, 5, 1.08, "up down", s353],
+["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", s353],
 ];
-const s405 = {"count": "count18", "more": ["more48", "more2"]};
-const s406 = {"count": "count19", "more": ["more49", "more50", "more38"]};
-const s407 = {"count": "count20", "more": ["more51", "more40"]};
-const s408 = "moving to ROS 2 Lyrical (Fast DDS 3.6)";
-const s409 = "moving to ROS 2 Humble (Fast DDS 2.6)";
-const s410 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
-const s411 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
-const s412 = [
+const s386 = {"count": "count18", "more": ["more48", "more2"]};
+const s387 = {"count": "count19", "more": ["more49", "more50", "more38"]};
+const s388 = {"count": "count20", "more": ["more51", "more40"]};
+const s389 = "moving to ROS 2 Lyrical (Fast DDS 3.6)";
+const s390 = "moving to ROS 2 Humble (Fast DDS 2.6)";
+const s391 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
+const s392 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
+const s393 = [
 [1, 1.67, 11.3, "In 11 swarms within these sizes, left out of the fit, discovery took 0.91 to 1.04 times the predicted airtime (typical error 3%). We expect 83% of such swarms in this range"],
 [2, 1.67, 11.3, "In 2 swarms of up to twice these sizes, left out of the fit, discovery took 0.95 to 1.22 times the predicted airtime (typical error 13%). With so few swarms, we give no interval"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, left out of the fit, discovery took 2.06 to 2.29 times the predicted airtime (typical error 118%). With so few swarms, we give no interval"],
 ];
-const s413 = {"count": "count23", "more": ["more56", "more57", "more8"]};
-const s414 = [s413, s413, s413];
-const s415 = [s163, s414, s167, s224, s165, s226];
-const s416 = "SPDP at discovery";
-const s417 = 4.833333333333333;
-const s418 = 5.166666666666666;
-const s419 = {"burst": s417, "second": s418, "lease": 0.575, "ever": s366};
-const s420 = "SPDP unicast at discovery";
-const s421 = "SPDP unicast for others";
-const s422 = 852.6666666666666;
-const s423 = "Heartbeat for others";
-const s424 = "ACKNACK of data";
-const s425 = "switching to Cyclone DDS";
-const s426 = [[1, 1, 1, "In 19 swarms within these sizes, left out of the fit, discovery took 0.86 to 1.68 times the predicted airtime (typical error 14%). We expect 90% of such swarms in this range"]];
-const s427 = 773.5594083028471;
-const s428 = "ROS discovery info";
-const s429 = "ROS Heartbeat for others";
-const s430 = "ROS ACKNACK for others";
-const s431 = [[1, 1, 1, "In 16 swarms within these sizes, left out of the fit, discovery took 0.89 to 1.17 times the predicted airtime (typical error 5%). We expect 88% of such swarms in this range"]];
-const s432 = [s163, s167, s165, s226, s224];
-const s433 = 1014.7323568575234;
-const s434 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
-const s435 = ["peers", s348, "", s151, "Fast DDS 3.6", s349];
-const s436 = [s100, s350, "", s154, "Fast DDS 3.6", s351];
-const s437 = ["router", s194, "", "Zenoh router", "Fast DDS 3.6", s195];
-const s438 = [s106, s197, "", s174, "Fast DDS 3.6", s198];
-const s439 = [s109, s200, "", s177, "Fast DDS 3.6", s201];
-const s440 = ["announcements", s203, "", "Fast DDS 3.6, a longer announcement interval", "Fast DDS 3.6", "announcements"];
-const s441 = ["release", s409, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
-const s442 = ["release", s410, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
-const s443 = ["middleware", s207, "", s171, "Fast DDS 3.6", "middleware"];
-const s444 = [[1, 1, 1, "In 64 of 68 swarms within these sizes, left out of the fit, discovery took 0.90 to 1.57 times the predicted airtime (typical error 6%). We expect 91% of such swarms in this range"]];
-const s445 = [s163, s167, s165, s226, [s225, s225, s225], s224];
-const s446 = 896.8584995251663;
-const s447 = 189.68085535606212;
-const s448 = 808.8594208980277;
-const s449 = "--ds-basis-proposal";
-const s450 = {"until": [s157, [23, "slow at best"], s158], "never": s159};
-const s451 = {"second": 1, "lease": 23, "ever": Infinity};
-const s452 = {"count": "count24", "more": ["more58", "more35"]};
-const s453 = [s452, s452, s452];
-const s454 = {"count": "more35", "more": ["more35"]};
-const s455 = [s454, s454, s454];
-const s456 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
-const s457 = ["Announce", "multicast", 80, 1, 0, 1, "up down", s456];
-const s458 = ["Process", "multicast", 24, 0, 1, 1, "up down", s456];
-const s459 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", s456];
-const s460 = ["Digest", "multicast", 80, 1, 3, 1, "up down", s456];
-const s461 = ["Listed", "multicast", 1, 0, 0, 1, "up down", s456];
-const s462 = {"burst": 0, "second": s366, "lease": s366, "ever": s366};
-const s463 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", s462];
-const s464 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", s462];
-const s465 = {"count": "count25", "more": ["count25"]};
-const s466 = "switching to DDS, periods of Cyclone DDS";
-const s467 = "DDS, periods of Cyclone DDS";
-const s468 = "DDS, periods of Fast DDS";
-const s469 = "switching to Zenoh, periods of Zenoh peer";
-const s470 = "Zenoh, periods of Zenoh peer";
-const s471 = "switching to DDS, periods of Fast DDS";
-const s472 = "--ds-product-zenoh";
-const s473 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
-const s474 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
-const s475 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s474];
-const s476 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-const s477 = [[1, 1, 1, "In 10 swarms within these sizes, left out of the fit, discovery took 0.95 to 1.31 times the predicted airtime (typical error 5%). We expect 82% of such swarms in this range"]];
-const s478 = [s361, s361, s361];
-const s479 = {"count": "count26", "more": ["more59", "more60"]};
-const s480 = {"count": "count27", "more": ["more61", "more62", "more63"]};
-const s481 = [s163, s414, s360, s167, s224, s165, s478, [s479, s479, s479], s222, [s480, s480, s480], s226];
-const s482 = "SPDP of endpoints";
-const s483 = "SPDP unicast of endpoints";
-const s484 = "Listed at discovery";
-const s485 = "Listed of endpoints";
-const s486 = "Listed unicast";
-const s487 = "Listed unicast at discovery";
-const s488 = "Listed unicast for others";
-const s489 = "Listed unicast of endpoints";
-const s490 = "peers, each linked with each other (measured with 1.10.2)";
-const s491 = [[1, 1, 1, "In 10 swarms within these sizes, left out of the fit, discovery took 0.86 to 1.12 times the predicted airtime (typical error 8%). We expect 82% of such swarms in this range"]];
-const s492 = [s164, {"count": "count28", "more": ["more64", "more65", "more66"]}, s225];
-const s493 = [s163, s167, s224, s165, s492, s226];
-const s494 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s473];
-const s495 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
-const s496 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", s232];
-const s497 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", s232];
-const s498 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", s232];
-const s499 = 163.4251497005988;
-const s500 = "OAM for others";
-const s501 = 106.65917220235053;
-const s502 = "Declare key expression";
-const s503 = 229.04217991787982;
-const s504 = "Declare key expression of matching";
-const s505 = 112.31961259079904;
-const s506 = "Frame of endpoints";
-const s507 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", s474];
-const s508 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", s232];
-const s509 = "TCP ACK at start";
-const s510 = "TCP ACK of endpoints";
-const s511 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
-const s512 = [
+const s394 = {"count": "count23", "more": ["more56", "more57", "more8"]};
+const s395 = [s394, s394, s394];
+const s396 = [s144, s395, s148, s205, s146, s207];
+const s397 = "SPDP at discovery";
+const s398 = 4.833333333333333;
+const s399 = 5.166666666666666;
+const s400 = {"burst": s398, "second": s399, "lease": 0.575, "ever": s347};
+const s401 = "SPDP unicast at discovery";
+const s402 = "SPDP unicast for others";
+const s403 = 852.6666666666666;
+const s404 = "Heartbeat for others";
+const s405 = "ACKNACK of data";
+const s406 = "switching to Cyclone DDS";
+const s407 = [[1, 1, 1, "In 19 swarms within these sizes, left out of the fit, discovery took 0.86 to 1.68 times the predicted airtime (typical error 14%). We expect 90% of such swarms in this range"]];
+const s408 = 773.5594083028471;
+const s409 = "ROS discovery info";
+const s410 = "ROS Heartbeat for others";
+const s411 = "ROS ACKNACK for others";
+const s412 = [[1, 1, 1, "In 16 swarms within these sizes, left out of the fit, discovery took 0.89 to 1.17 times the predicted airtime (typical error 5%). We expect 88% of such swarms in this range"]];
+const s413 = [s144, s148, s146, s207, s205];
+const s414 = 1014.7323568575234;
+const s415 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
+const s416 = ["peers", s329, "", s132, "Fast DDS 3.6", s330];
+const s417 = [s93, s331, "", s135, "Fast DDS 3.6", s332];
+const s418 = ["router", s175, "", "Zenoh router", "Fast DDS 3.6", s176];
+const s419 = [s96, s178, "", s155, "Fast DDS 3.6", s179];
+const s420 = [s99, s181, "", s158, "Fast DDS 3.6", s182];
+const s421 = ["announcements", s184, "", "Fast DDS 3.6, a longer announcement interval", "Fast DDS 3.6", "announcements"];
+const s422 = ["release", s390, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
+const s423 = ["release", s391, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
+const s424 = ["middleware", s188, "", s152, "Fast DDS 3.6", "middleware"];
+const s425 = [[1, 1, 1, "In 64 of 68 swarms within these sizes, left out of the fit, discovery took 0.90 to 1.57 times the predicted airtime (typical error 6%). We expect 91% of such swarms in this range"]];
+const s426 = [s144, s148, s146, s207, [s206, s206, s206], s205];
+const s427 = 896.8584995251663;
+const s428 = 189.68085535606212;
+const s429 = 808.8594208980277;
+const s430 = "--ds-basis-proposal";
+const s431 = {"until": [s138, [23, "slow at best"], s139], "never": s140};
+const s432 = {"second": 1, "lease": 23, "ever": Infinity};
+const s433 = {"count": "count24", "more": ["more58", "more35"]};
+const s434 = [s433, s433, s433];
+const s435 = {"count": "more35", "more": ["more35"]};
+const s436 = [s435, s435, s435];
+const s437 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
+const s438 = ["Announce", "multicast", 80, 1, 0, 1, "up down", s437];
+const s439 = ["Process", "multicast", 24, 0, 1, 1, "up down", s437];
+const s440 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", s437];
+const s441 = ["Digest", "multicast", 80, 1, 3, 1, "up down", s437];
+const s442 = ["Listed", "multicast", 1, 0, 0, 1, "up down", s437];
+const s443 = {"burst": 0, "second": s347, "lease": s347, "ever": s347};
+const s444 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", s443];
+const s445 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", s443];
+const s446 = {"count": "count25", "more": ["count25"]};
+const s447 = "switching to DDS, periods of Cyclone DDS";
+const s448 = "DDS, periods of Cyclone DDS";
+const s449 = "DDS, periods of Fast DDS";
+const s450 = "switching to Zenoh, periods of Zenoh peer";
+const s451 = "Zenoh, periods of Zenoh peer";
+const s452 = "switching to DDS, periods of Fast DDS";
+const s453 = "--ds-product-zenoh";
+const s454 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
+const s455 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
+const s456 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s455];
+const s457 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
+const s458 = [[1, 1, 1, "In 10 swarms within these sizes, left out of the fit, discovery took 0.95 to 1.31 times the predicted airtime (typical error 5%). We expect 82% of such swarms in this range"]];
+const s459 = [s342, s342, s342];
+const s460 = {"count": "count26", "more": ["more59", "more60"]};
+const s461 = {"count": "count27", "more": ["more61", "more62", "more63"]};
+const s462 = [s144, s395, s341, s148, s205, s146, s459, [s460, s460, s460], s203, [s461, s461, s461], s207];
+const s463 = "SPDP of endpoints";
+const s464 = "SPDP unicast of endpoints";
+const s465 = "Listed at discovery";
+const s466 = "Listed of endpoints";
+const s467 = "Listed unicast";
+const s468 = "Listed unicast at discovery";
+const s469 = "Listed unicast for others";
+const s470 = "Listed unicast of endpoints";
+const s471 = "peers, each linked with each other (measured with 1.10.2)";
+const s472 = [[1, 1, 1, "In 10 swarms within these sizes, left out of the fit, discovery took 0.86 to 1.12 times the predicted airtime (typical error 8%). We expect 82% of such swarms in this range"]];
+const s473 = [s145, {"count": "count28", "more": ["more64", "more65", "more66"]}, s206];
+const s474 = [s144, s148, s205, s146, s473, s207];
+const s475 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s454];
+const s476 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
+const s477 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", s213];
+const s478 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", s213];
+const s479 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", s213];
+const s480 = 163.4251497005988;
+const s481 = "OAM for others";
+const s482 = 106.65917220235053;
+const s483 = "Declare key expression";
+const s484 = 229.04217991787982;
+const s485 = "Declare key expression of matching";
+const s486 = 112.31961259079904;
+const s487 = "Frame of endpoints";
+const s488 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", s455];
+const s489 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", s213];
+const s490 = "TCP ACK at start";
+const s491 = "TCP ACK of endpoints";
+const s492 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
+const s493 = [
 [1, 1.67, 11.3, "In 12 swarms within these sizes, left out of the fit, discovery took 0.90 to 1.41 times the predicted airtime (typical error 6%). We expect 85% of such swarms in this range"],
 [2, 1.67, 11.3, "In 4 swarms of up to twice these sizes, left out of the fit, discovery took 0.99 to 1.02 times the predicted airtime (typical error 1%). With so few swarms, we give no interval"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, left out of the fit, discovery took 0.93 to 1.15 times the predicted airtime (typical error 11%). With so few swarms, we give no interval"],
 ];
-const s513 = 179.4287333522244;
-const s514 = 167.6030534351145;
-const s515 = 175.50248756218906;
-const s516 = "Declare token of node";
-const s517 = 362.8385800401876;
-const s518 = "Declare key expression of node";
-const s519 = 159.33333333333334;
-const s520 = 142.56804733727813;
-const s521 = "--ds-product-rmw-zenoh";
-const s522 = {"until": [s157, [60, "slow at best"], s158], "never": s159};
-const s523 = {"second": 1, "lease": 60, "ever": Infinity};
-const s524 = [s359, {"count": "count29", "more": ["more67", "more68"]}, s225];
-const s525 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
-const s526 = ["InitSyn", "unicast", 110, 1, 0, 1, "up", s525];
-const s527 = ["InitAck", "unicast", 153, 1, 0, 1, "down", s525];
-const s528 = ["OpenSyn", "unicast", 134, 1, 0, 1, "up", s525];
-const s529 = ["OpenAck", "unicast", 84, 1, 0, 1, "down", s525];
-const s530 = 154.5017382527756;
-const s531 = 192.6407465007776;
-const s532 = 358.9464799539613;
-const s533 = 137.8131868131868;
-const s534 = 282.5695792880259;
-const s535 = 622.248870141609;
-const s536 = 148.72727272727272;
-const s537 = 156.64516129032256;
-const s538 = 0.03333333333333333;
-const s539 = {"burst": 0, "second": s538, "lease": s538, "ever": s538};
-const s540 = ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", s539];
-const s541 = "TCP ACK at start down";
-const s542 = "TCP ACK of endpoints down";
-const s543 = {"count": "count32", "more": ["more73", "more74", "more75", "more35"]};
-const s544 = {"count": "count33", "more": ["more76", "more77", "more78", "more79", "more35"]};
-const s545 = {"count": "count34", "more": ["more80", "more81", "more40"]};
-const s546 = [s545, s545, s545];
-const s547 = [s545, {"count": "count35", "more": ["more82", "more83", "more68"]}, s225];
-const s548 = [s225, {"count": "count36", "more": ["more84", "more85", "more86"]}, {"count": "count37", "more": ["more87", "more88", "more89"]}];
-const s549 = 1523.8764478764479;
-const s550 = 1523.7329974811084;
-const s551 = "Frame of gossip";
-const s552 = 86.42028482111844;
-const s553 = "Declare of matching";
-const s554 = 1523.275922671353;
-const s555 = "Declare key expression of tokens";
-const s556 = 1524.2088308803109;
-const s557 = 86.11918147065437;
-const s558 = 1524.6626402070751;
-const s559 = 1523.8867459991793;
-const s560 = 1523.9638009049772;
-const s561 = [s165, s167];
-const s562 = {
+const s494 = 179.4287333522244;
+const s495 = 167.6030534351145;
+const s496 = 175.50248756218906;
+const s497 = "Declare token of node";
+const s498 = 362.8385800401876;
+const s499 = "Declare key expression of node";
+const s500 = 159.33333333333334;
+const s501 = 142.56804733727813;
+const s502 = "--ds-product-rmw-zenoh";
+const s503 = {"until": [s138, [60, "slow at best"], s139], "never": s140};
+const s504 = {"second": 1, "lease": 60, "ever": Infinity};
+const s505 = [s340, {"count": "count29", "more": ["more67", "more68"]}, s206];
+const s506 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
+const s507 = ["InitSyn", "unicast", 110, 1, 0, 1, "up", s506];
+const s508 = ["InitAck", "unicast", 153, 1, 0, 1, "down", s506];
+const s509 = ["OpenSyn", "unicast", 134, 1, 0, 1, "up", s506];
+const s510 = ["OpenAck", "unicast", 84, 1, 0, 1, "down", s506];
+const s511 = 154.5017382527756;
+const s512 = 192.6407465007776;
+const s513 = 358.9464799539613;
+const s514 = 137.8131868131868;
+const s515 = 282.5695792880259;
+const s516 = 622.248870141609;
+const s517 = 148.72727272727272;
+const s518 = 156.64516129032256;
+const s519 = 0.03333333333333333;
+const s520 = {"burst": 0, "second": s519, "lease": s519, "ever": s519};
+const s521 = ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", s520];
+const s522 = "TCP ACK at start down";
+const s523 = "TCP ACK of endpoints down";
+const s524 = {"count": "count32", "more": ["more73", "more74", "more75", "more35"]};
+const s525 = {"count": "count33", "more": ["more76", "more77", "more78", "more79", "more35"]};
+const s526 = {"count": "count34", "more": ["more80", "more81", "more40"]};
+const s527 = [s526, s526, s526];
+const s528 = [s526, {"count": "count35", "more": ["more82", "more83", "more68"]}, s206];
+const s529 = [s206, {"count": "count36", "more": ["more84", "more85", "more86"]}, {"count": "count37", "more": ["more87", "more88", "more89"]}];
+const s530 = 1523.8764478764479;
+const s531 = 1523.7329974811084;
+const s532 = "Frame of gossip";
+const s533 = 86.42028482111844;
+const s534 = "Declare of matching";
+const s535 = 1523.275922671353;
+const s536 = "Declare key expression of tokens";
+const s537 = 1524.2088308803109;
+const s538 = 86.11918147065437;
+const s539 = 1524.6626402070751;
+const s540 = 1523.8867459991793;
+const s541 = 1523.9638009049772;
+const s542 = [s146, s148];
+const s543 = {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s352,
+"about": s333,
 "caution": "",
-"ratios": s353,
-"server_ratios": s156,
+"ratios": s334,
+"server_ratios": s137,
 "has_server": true,
-"color": s354,
+"color": s335,
 "measured": [8, 8, 10],
-"band": s355,
+"band": s336,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s364,
+"outlooks": s337,
+"windows": s338,
+"units": s345,
 "degree": 2,
-"messages": s400,
+"messages": s381,
 };
-const s563 = {
+const s544 = {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s401,
+"about": s382,
 "caution": "",
-"ratios": s402,
-"server_ratios": s156,
+"ratios": s383,
+"server_ratios": s137,
 "has_server": true,
-"color": s354,
+"color": s335,
 "measured": [8, 8, 10],
-"band": s403,
+"band": s384,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s364,
+"outlooks": s337,
+"windows": s338,
+"units": s345,
 "degree": 2,
-"messages": s404,
+"messages": s385,
 };
-const s564 = {"until": [s157, [100, "slow at best"], s158], "never": s159};
-const s565 = {"second": 1, "lease": 100, "ever": Infinity};
-const s566 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": s538};
-const s567 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": s538};
-const s568 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
-const s569 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
-const s570 = 0.01020408163265306;
-const s571 = {"burst": 0, "second": s570, "lease": s570, "ever": s570};
-const s572 = ["Liveliness", "unicast", s237, 0.7242, 1, 1, "up down", s571];
-const s573 = [s243, "unicast", s244, 0.2758, 1, 1, "up down", s571];
-const s574 = [s248, "unicast", 128, 1, 1, 1, "up down", s571];
-const s575 = [s163, s414, s360, s478, s363, s226];
-const s576 = {
+const s545 = {"until": [s138, [100, "slow at best"], s139], "never": s140};
+const s546 = {"second": 1, "lease": 100, "ever": Infinity};
+const s547 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": s519};
+const s548 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": s519};
+const s549 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
+const s550 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
+const s551 = 0.01020408163265306;
+const s552 = {"burst": 0, "second": s551, "lease": s551, "ever": s551};
+const s553 = ["Liveliness", "unicast", s218, 0.7242, 1, 1, "up down", s552];
+const s554 = [s224, "unicast", s225, 0.2758, 1, 1, "up down", s552];
+const s555 = [s229, "unicast", 128, 1, 1, 1, "up down", s552];
+const s556 = [s144, s395, s341, s459, s344, s207];
+const s557 = {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s352,
+"about": s333,
 "caution": "",
-"ratios": s402,
-"server_ratios": s156,
+"ratios": s383,
+"server_ratios": s137,
 "has_server": true,
-"color": s354,
+"color": s335,
 "measured": [8, 8, 10],
-"band": s355,
+"band": s336,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s575,
+"outlooks": s337,
+"windows": s338,
+"units": s556,
 "degree": 2,
-"messages": s400,
+"messages": s381,
 };
-const s577 = {
+const s558 = {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s401,
+"about": s382,
 "caution": "",
-"ratios": s402,
-"server_ratios": s156,
+"ratios": s383,
+"server_ratios": s137,
 "has_server": true,
-"color": s354,
+"color": s335,
 "measured": [8, 8, 10],
-"band": s403,
+"band": s384,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s575,
+"outlooks": s337,
+"windows": s338,
+"units": s556,
 "degree": 2,
-"messages": s404,
+"messages": s385,
 };
-const s578 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s566];
-const s579 = 0.06666666666666667;
-const s580 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": s579};
-const s581 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": s579};
-const s582 = {"burst": s417, "second": s418, "lease": 0.38166666666666665, "ever": s366};
-const s583 = [s167, s224, s165, s492, s226];
-const s584 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s232];
-const s585 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s232];
-const s586 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s232];
-const s587 = 0.9997000149992501;
-const s588 = ["KeepAlive", "unicast", 79, 1, 0, s587, "up down", s474];
-const s589 = ["TCP control", "unicast", 76, 1, 0, s587, "up down", s232];
+const s559 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s547];
+const s560 = 0.06666666666666667;
+const s561 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": s560};
+const s562 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": s560};
+const s563 = {"burst": s398, "second": s399, "lease": 0.38166666666666665, "ever": s347};
+const s564 = [s148, s205, s146, s473, s207];
+const s565 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s213];
+const s566 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s213];
+const s567 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s213];
+const s568 = 0.9997000149992501;
+const s569 = ["KeepAlive", "unicast", 79, 1, 0, s568, "up down", s455];
+const s570 = ["TCP control", "unicast", 76, 1, 0, s568, "up down", s213];
 return {
 "start": {"robot": s1, "middleware": "Fast DDS 3.6", "ros": "lyrical", "product": "Fast DDS"},
 "ros": {"humble": {"Fast DDS": "Fast DDS 2.6", "Cyclone DDS": "Cyclone DDS"}, "jazzy": {"Fast DDS": "Fast DDS 2.14", "Cyclone DDS": "Cyclone DDS"}, "kilted": {"Fast DDS": "Fast DDS 3.6", "Cyclone DDS": "Cyclone DDS"}, "lyrical": {"Fast DDS": "Fast DDS 3.6", "Cyclone DDS": s2}},
@@ -1180,7 +1161,7 @@ return {
 "too busy": "No, not within {within}: {fleet} keep the channel busy for {drain} even if nothing is lost ({how}).",
 "endless": "No: {fleet} never complete discovery ({how}).",
 "unknown": "Not sure: {fleet} keep the channel busy for {drain} if nothing is lost ({how}), and their discovery time was not simulated.",
-"times": "Discovery time: {median} in the median run, at most {nine} in nine of ten runs.",
+"times": "Discovery time: {median} in the median run, at most {nine} in {most}.",
 "times of some": "Discovery time: {median} in the median run; {late} of {runs} runs do not finish within {until}.",
 "most pairs": "After {time}, {share} of the pairs of processes know each other.",
 "share of pairs": "After {until}, {share} of the pairs of processes know each other.",
@@ -1188,11 +1169,11 @@ return {
 "not simulated": "Not simulated: {reason}.",
 "periodic traffic fills": "Periodic traffic alone fills the channel.",
 "access point loses": "The access point's queue drops {lost} of all messages, more than {protocol} can resend in time.",
-"robots lose": "Robots' queues drop {lost} of all messages, more than {protocol} can resend.",
+"robots lose": "Robots' queues drop {lost} of all messages, more than {protocol} can resend in time.",
 "air loses": "Collisions cost {lost} of all messages, more than {protocol} can resend in time.",
 "leases end": "Leases expire meanwhile, so robots forget each other.",
 "data fits": "Your data fit: after discovery, data and periodic traffic together need {airtime} of airtime per second.",
-"data may fit": "Your data fit only if A-MPDUs are full: after discovery, data and periodic traffic together then need {airtime} of airtime per second.",
+"data may fit": "Your data fit only if A-MPDUs are full: data and periodic traffic then need {airtime} of airtime per second after discovery.",
 "data does not fit": "Your data do not fit: even after discovery, data and periodic traffic together need {airtime} of airtime per second. First step: send fewer samples, or send them to fewer hosts.",
 "first": "First step:",
 "covered": "To be sure, make one of these changes, least effort first:",
@@ -1202,13 +1183,13 @@ return {
 "not sure either": "Faster in simulations, but perhaps not enough:",
 "none helps": "None of the {count} simulated changes helps by more than the scatter between runs.",
 "none known": "No change that we could simulate helps.",
-"change": "{number}. {what}: {before} -> {after}. Effort: {effort}. Cost: {cost}.",
+"change": "{number}. {what}: {before} -> {after}. Effort: {effort}. Trade-off: {cost}.",
 "leases": "{time}, but leases expire in {forgetful} of {runs} runs",
 "enough": "{time}; {least} if all are composed into 1",
 "doubtful": " Not sure: {caution}.",
 "perhaps": " Probably enough: real runs may take up to {slow}.",
 "slower": "real {measured} took up to {times} times as long as simulated in an emulated Wi-Fi cell, which would be {slow}",
-"slower elsewhere": "real runs may take up to {times} times as long ({slow}; not compared)",
+"slower elsewhere": "real runs may take up to {times} times as long ({slow}; we have not measured any)",
 "easier": "Less effort, but not complete within {within}:",
 "easier, perhaps": "Less effort, but perhaps not complete within {within}:",
 "fewer": "start no more than {count} of the {group} on this channel{beside}. These {total} discover each other after {time}. We did not simulate whether the others can start later.",
@@ -1216,7 +1197,7 @@ return {
 "until then": "Until then, {fewer}",
 "changes": "Then make one change that is enough for discovery:",
 "none near": "No simulated change lets half of the pairs discover each other within {until}.",
-"paste": " Configuration: --paste {name}.",
+"paste": " To print its configuration: --paste {name}.",
 "closed form": "Ranked by airtime saved, because discovery times were not simulated:",
 "drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
 "none ends": "No change is enough: after each one, periodic traffic alone fills the channel.",
@@ -1252,8 +1233,8 @@ return {
 "extrapolated": "{protocol} was measured with up to {hosts}; for larger fleets, we extrapolate.",
 "air": "With up to {hosts} hosts in an emulated Wi-Fi cell, real {measured} took {range} times as long as simulated.",
 "watched": "We watched real startups for at most {seconds} s, so we extrapolate longer times.",
-"not compared": "Real runs may take up to {high} times as long (not compared).",
-"server not compared": "Real startups with a server or router may take up to {high} times as long (not compared).",
+"not compared": "Real runs may take up to {high} times as long (we have not measured any).",
+"server not compared": "Real startups with a server or router may take up to {high} times as long (we have not measured any).",
 "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
 "cell": "{cell}: the startup needs {airtime} of airtime in its first second.",
 "assumed of cells": "Assumes: all robots in range of their access points, a common start unless stated, queues of 500 messages. Cells do not interfere, and messages between access points take no time. We do not compare other radios and channels: change the fleet file, and plan again.",
@@ -1264,20 +1245,22 @@ return {
 "no reboot": "Not sure: we simulate a reboot only if every startup has finished before it.",
 "other start": "Changes are compared for robots that start together.",
 "never fits": "The periodic traffic alone needs {share} of the channel, so the fleet never fits, however slowly it starts.",
-"drain time": "Drain time: {busy}. Discovery can be complete sooner, because dropped messages need no airtime and the last repeats come after discovery.",
-"full A-MPDUs": "This time assumes full A-MPDUs. A-MPDUs are fuller when more frames wait.",
+"drain time": "Drain time: {busy}. {why}",
+"sooner": "Discovery can be complete sooner, because dropped messages need no airtime and the last repeats come after discovery.",
+"later": "Discovery takes longer, because lost messages are repeated only after pauses.",
+"full A-MPDUs": "The drain time assumes full A-MPDUs. They are fuller when more frames wait.",
 "may never fit": "The fleet may never fit: with one message per frame, its periodic traffic alone needs {share} of the channel.",
-"reply wait": "While nodes start, services need a max_blocking_time of {wait} or more. Fast DDS has {usual} by default.",
+"reply wait": "While nodes start, service servers need a max_blocking_time (reliability QoS) of {wait} or more. Fast DDS has {usual} by default.",
 "endless reply wait": "While nodes start, no max_blocking_time is long enough for services: some pairs never complete discovery.",
 "data load": "Your data need {data} of the channel, or {both} together with the periodic traffic of discovery. So your data {fit} once discovery is complete.",
 "data during startup": "During startup, your data {fit}: discovery and data together need {airtime} of airtime in the first {time}.",
-"data wait": "If robots sent all data from the beginning, startup would keep the channel busy for {time} instead of {alone}. Data wait at most that long, in reality less, because robots send only to robots that they have discovered. `discostorm simulate` shows when discovery is complete, and how late the data are.",
+"data wait": "If robots sent all data from the beginning, startup would keep the channel busy for {time} instead of {alone}. Data wait at most that long, and in practice less, because robots send only to robots that they have discovered. `discostorm simulate` shows when discovery is complete, and how late the data are.",
 "no room for data": "The channel can never carry discovery and all your data. Send fewer samples, or send them to fewer hosts.",
 "captured": "The measured model of {name} comes from captures of up to {hosts} that started together, with up to {processes} in all and {endpoints} per process.",
 "beyond captures": "Here, we extrapolate.",
 "as the paper": "{name} counts {names} as the paper does. It leaves out the messages that the product packs together or adds.",
-"whole burst": "We count the whole burst within {window}, and periodic traffic at its average rate. The result is an upper bound.",
-"standard timing": "We compare radio changes with the timing of the 802.11 standard. With it, the airtime of this fleet is {airtime} today.",
+"whole burst": "We assign the whole startup burst to the first {window}, and count periodic traffic at its average rate. The result is an upper bound.",
+"standard timing": "Radio changes use the timing of the 802.11 standard, by which this fleet needs {airtime} of airtime today.",
 "nothing to write": "Your startup already works, so nothing needs changing, and we wrote no files. To write the configuration of a change all the same, name it: --paste NAME.",
 "nothing written": "--write: no configuration change is surely enough, so we wrote no files. See what helps without --write, then name a change: --paste NAME",
 },
@@ -1294,139 +1277,71 @@ return {
 "endpoints_of_a_node": 28.40740740740741,
 "shared_endpoints": [2, 4],
 "remedies": {
-"aggregation": {"steps": ["aggregation"], "of": {"DDS": s85, "Zenoh": s85, "None": s85}},
-"announcements": {"steps": ["announcements"], "of": {"DDS": {"efforts": ["file"], "effort": 2, "takes": s86, "best_case": false, "cost": s87, "mind": s87}, "Zenoh": null, "None": null}},
-"discovery server": {
-"steps": [s77],
-"of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s88, "best_case": false, "cost": s89, "mind": "robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the server is down and after short outages"}, "Zenoh": null, "None": null},
-},
-"discovery server on a robot": {"steps": [s90], "of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s88, "best_case": false, "cost": s89, "mind": "robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the robot with the server is away"}, "Zenoh": null, "None": null}},
-"endpoints": {"steps": ["endpoints"], "of": {"DDS": s92, "Zenoh": s92, "None": s92}},
-"middleware": {"steps": ["middleware"], "of": {"DDS": s95, "Zenoh": {"efforts": ["switch"], "effort": 8, "takes": s93, "best_case": false, "cost": s96, "mind": s96}, "None": s95}},
+"aggregation": {"steps": ["aggregation"], "of": {"DDS": s84, "Zenoh": s84, "None": s84}},
+"announcements": {"steps": ["announcements"], "of": {"DDS": {"efforts": ["file"], "effort": 2, "takes": s85, "best_case": false, "cost": "failed robots are noticed later, and lost announcements are repeated later"}, "Zenoh": null, "None": null}},
+"discovery server": {"steps": [s77], "of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s86, "best_case": false, "cost": "robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the server is down and after short outages"}, "Zenoh": null, "None": null}},
+"discovery server on a robot": {"steps": [s87], "of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s86, "best_case": false, "cost": "robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the robot with the server is away"}, "Zenoh": null, "None": null}},
+"endpoints": {"steps": ["endpoints"], "of": {"DDS": s88, "Zenoh": s88, "None": s88}},
+"middleware": {"steps": ["middleware"], "of": {"DDS": s90, "Zenoh": {"efforts": ["switch"], "effort": 8, "takes": s89, "best_case": false, "cost": "all hosts must change together; we assume peers that scout by multicast; the paper does not count the tokens of rmw_zenoh"}, "None": s90}},
 "middleware and discovery server": {
 "steps": ["middleware", s77],
-"of": {
-"DDS": {"efforts": s97, "effort": 8, "takes": s98, "best_case": false, "cost": s99, "mind": "all hosts must change together; robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the server is down and after short outages"},
-"Zenoh": null,
-"None": null,
-},
+"of": {"DDS": {"efforts": s91, "effort": 8, "takes": s92, "best_case": false, "cost": "all hosts must change together; robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the server is down and after short outages"}, "Zenoh": null, "None": null},
 },
 "middleware and discovery server on a robot": {
-"steps": ["middleware", s90],
-"of": {"DDS": {"efforts": s97, "effort": 8, "takes": s98, "best_case": false, "cost": s99, "mind": "all hosts must change together; robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the robot with the server is away"}, "Zenoh": null, "None": null},
+"steps": ["middleware", s87],
+"of": {"DDS": {"efforts": s91, "effort": 8, "takes": s92, "best_case": false, "cost": "all hosts must change together; robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the robot with the server is away"}, "Zenoh": null, "None": null},
 },
-"middleware and multicast endpoint data": {"steps": ["middleware", s100], "of": {"DDS": {"efforts": s101, "effort": 8, "takes": s102, "best_case": false, "cost": s103, "mind": s103}, "Zenoh": null, "None": null}},
-"middleware and peers": {"steps": ["middleware", "peers"], "of": {"DDS": {"efforts": s101, "effort": 8, "takes": s102, "best_case": false, "cost": s104, "mind": s104}, "Zenoh": {"efforts": s101, "effort": 8, "takes": s102, "best_case": false, "cost": s105, "mind": s105}, "None": null}},
+"middleware and multicast endpoint data": {"steps": ["middleware", s93], "of": {"DDS": {"efforts": s94, "effort": 8, "takes": s95, "best_case": false, "cost": "all hosts must change together; multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later"}, "Zenoh": null, "None": null}},
+"middleware and peers": {
+"steps": ["middleware", "peers"],
+"of": {
+"DDS": {"efforts": s94, "effort": 8, "takes": s95, "best_case": false, "cost": "all hosts must change together; you must know the addresses beforehand; every announcement goes to 9 ports of every address (32 with ROS_STATIC_PEERS)"},
+"Zenoh": {"efforts": s94, "effort": 8, "takes": s95, "best_case": false, "cost": "all hosts must change together; you must know the addresses beforehand; a process that dials a peer too early may keep dialing every 4 s"},
+"None": null,
+},
+},
 "middleware and router": {
 "steps": ["middleware", "router"],
-"of": {
-"DDS": null,
-"Zenoh": {
-"efforts": s97,
-"effort": 8,
-"takes": s98,
-"best_case": false,
-"cost": "all hosts must change together; robots need the router's address; all data pass through it",
-"mind": "all hosts must change together; robots need the router's address; all data pass through it; if the router fails, robots hear nothing until 2.2 s after the router is back (10 s lease)",
-},
-"None": null,
-},
+"of": {"DDS": null, "Zenoh": {"efforts": s91, "effort": 8, "takes": s92, "best_case": false, "cost": "all hosts must change together; robots need the router's address; all data pass through it; if the router fails, robots hear nothing until 2.2 s after the router is back (10 s lease)"}, "None": null},
 },
 "middleware and router on each host": {
-"steps": ["middleware", s106],
-"of": {
-"DDS": null,
-"Zenoh": {
-"efforts": s107,
-"effort": 8,
-"takes": s108,
-"best_case": false,
-"cost": "all hosts must change together; every router needs the addresses of all other routers",
-"mind": "all hosts must change together; every router needs the addresses of all other routers; if a robot's router fails, the robot hears no other robot until 4.2 s after the router is back",
+"steps": ["middleware", s96],
+"of": {"DDS": null, "Zenoh": {"efforts": s97, "effort": 8, "takes": s98, "best_case": false, "cost": "all hosts must change together; every router needs the addresses of all other routers; if a robot's router fails, the robot hears no other robot until 4.2 s after the router is back"}, "None": null},
 },
-"None": null,
+"middleware and star of routers": {"steps": ["middleware", s99], "of": {"DDS": null, "Zenoh": {"efforts": s97, "effort": 8, "takes": s98, "best_case": false, "cost": "all hosts must change together; every robot needs the wired router's address; robots do not hear each other while the wired router is down"}, "None": null}},
+"middleware and static endpoints": {
+"steps": ["middleware", s100],
+"of": {"DDS": {"efforts": ["switch", "build"], "effort": 8, "takes": "another middleware and rebuilt nodes", "best_case": false, "cost": "all hosts must change together; every endpoint, ROS 2's own included, must be listed in every file; Fast DDS 2.9.1 can crash"}, "Zenoh": null, "None": null},
 },
-},
-"middleware and star of routers": {
-"steps": ["middleware", s109],
-"of": {
-"DDS": null,
-"Zenoh": {
-"efforts": s107,
-"effort": 8,
-"takes": s108,
-"best_case": false,
-"cost": "all hosts must change together; every robot needs the wired router's address",
-"mind": "all hosts must change together; every robot needs the wired router's address; robots do not hear each other while the wired router is down",
-},
-"None": null,
-},
-},
-"middleware and static endpoints": {"steps": ["middleware", s110], "of": {"DDS": {"efforts": ["switch", "build"], "effort": 8, "takes": "another middleware and rebuilt nodes", "best_case": false, "cost": s111, "mind": s111}, "Zenoh": null, "None": null}},
 "middleware and two discovery servers": {
-"steps": ["middleware", s112],
-"of": {
-"DDS": {
-"efforts": s107,
-"effort": 8,
-"takes": s108,
-"best_case": false,
-"cost": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients",
-"mind": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both servers are down",
+"steps": ["middleware", s101],
+"of": {"DDS": {"efforts": s97, "effort": 8, "takes": s98, "best_case": false, "cost": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both servers are down"}, "Zenoh": null, "None": null},
 },
-"Zenoh": null,
+"multicast endpoint data": {"steps": [s93], "of": {"DDS": {"efforts": ["file"], "effort": 2, "takes": s85, "best_case": false, "cost": "multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later"}, "Zenoh": null, "None": null}},
+"multicast rate": {"steps": [s13], "of": {"DDS": s102, "Zenoh": s102, "None": s102}},
+"peers": {
+"steps": ["peers"],
+"of": {
+"DDS": {"efforts": ["file"], "effort": 2, "takes": s85, "best_case": false, "cost": "you must know the addresses beforehand; every announcement goes to 9 ports of every address (32 with ROS_STATIC_PEERS)"},
+"Zenoh": {"efforts": ["file"], "effort": 2, "takes": s85, "best_case": false, "cost": "you must know the addresses beforehand; a process that dials a peer too early may keep dialing every 4 s"},
 "None": null,
 },
 },
-"multicast endpoint data": {"steps": [s100], "of": {"DDS": {"efforts": ["file"], "effort": 2, "takes": s86, "best_case": false, "cost": s113, "mind": s113}, "Zenoh": null, "None": null}},
-"multicast rate": {"steps": [s13], "of": {"DDS": s115, "Zenoh": s115, "None": s115}},
-"peers": {"steps": ["peers"], "of": {"DDS": {"efforts": ["file"], "effort": 2, "takes": s86, "best_case": false, "cost": s116, "mind": s116}, "Zenoh": {"efforts": ["file"], "effort": 2, "takes": s86, "best_case": false, "cost": s117, "mind": s117}, "None": null}},
-"processes": {"steps": ["processes"], "of": {"DDS": s118, "Zenoh": s118, "None": s118}},
-"radio": {"steps": ["radio"], "of": {"DDS": s120, "Zenoh": s120, "None": s120}},
-"release": {"steps": ["release"], "of": {"DDS": s122, "Zenoh": s122, "None": s122}},
-"router": {
-"steps": ["router"],
-"of": {
-"DDS": null,
-"Zenoh": {
-"efforts": ["server"],
-"effort": 3,
-"takes": s88,
-"best_case": false,
-"cost": "robots need the router's address; all data pass through it",
-"mind": "robots need the router's address; all data pass through it; if the router fails, robots hear nothing until 2.2 s after the router is back (10 s lease)",
-},
-"None": null,
-},
-},
-"router on each host": {
-"steps": [s106],
-"of": {
-"DDS": null,
-"Zenoh": {"efforts": ["servers"], "effort": 4, "takes": s123, "best_case": false, "cost": "every router needs the addresses of all other routers", "mind": "every router needs the addresses of all other routers; if a robot's router fails, the robot hears no other robot until 4.2 s after the router is back"},
-"None": null,
-},
-},
-"staggered start": {"steps": [s76], "of": {"DDS": s125, "Zenoh": s125, "None": s125}},
-"star of routers": {
-"steps": [s109],
-"of": {"DDS": null, "Zenoh": {"efforts": ["servers"], "effort": 4, "takes": s123, "best_case": false, "cost": "every robot needs the wired router's address", "mind": "every robot needs the wired router's address; robots do not hear each other while the wired router is down"}, "None": null},
-},
-"static endpoints": {"steps": [s110], "of": {"DDS": {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": s126, "mind": s126}, "Zenoh": null, "None": null}},
-"two discovery servers": {
-"steps": [s112],
-"of": {
-"DDS": {"efforts": ["servers"], "effort": 4, "takes": s123, "best_case": false, "cost": "each robot needs both addresses; ros2 tools must be super clients", "mind": "each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both servers are down"},
-"Zenoh": null,
-"None": null,
-},
-},
+"processes": {"steps": ["processes"], "of": {"DDS": s103, "Zenoh": s103, "None": s103}},
+"radio": {"steps": ["radio"], "of": {"DDS": s104, "Zenoh": s104, "None": s104}},
+"release": {"steps": ["release"], "of": {"DDS": s105, "Zenoh": s105, "None": s105}},
+"router": {"steps": ["router"], "of": {"DDS": null, "Zenoh": {"efforts": ["server"], "effort": 3, "takes": s86, "best_case": false, "cost": "robots need the router's address; all data pass through it; if the router fails, robots hear nothing until 2.2 s after the router is back (10 s lease)"}, "None": null}},
+"router on each host": {"steps": [s96], "of": {"DDS": null, "Zenoh": {"efforts": ["servers"], "effort": 4, "takes": s106, "best_case": false, "cost": "every router needs the addresses of all other routers; if a robot's router fails, the robot hears no other robot until 4.2 s after the router is back"}, "None": null}},
+"staggered start": {"steps": [s76], "of": {"DDS": s107, "Zenoh": s107, "None": s107}},
+"star of routers": {"steps": [s99], "of": {"DDS": null, "Zenoh": {"efforts": ["servers"], "effort": 4, "takes": s106, "best_case": false, "cost": "every robot needs the wired router's address; robots do not hear each other while the wired router is down"}, "None": null}},
+"static endpoints": {"steps": [s100], "of": {"DDS": {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "every endpoint, ROS 2's own included, must be listed in every file; Fast DDS 2.9.1 can crash"}, "Zenoh": null, "None": null}},
+"two discovery servers": {"steps": [s101], "of": {"DDS": {"efforts": ["servers"], "effort": 4, "takes": s106, "best_case": false, "cost": "each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both servers are down"}, "Zenoh": null, "None": null}},
 },
 "pastes": {
 "aggregation": {
 "any": [
 {
-"where": s127,
+"where": s108,
 "version": "hostapd 2.10",
 "text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; the process hostapd\n# reads it when it starts\n# Keep your band, channel and width. With 802.11ac and ax, vht_capab lets 64 frames of any length\n# share an exchange. With 802.11n only, leave out the last two lines.\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[SHORT-GI-20]\nieee80211ac=1\nvht_capab=[MAX-A-MPDU-LEN-EXP7]\n",
 },
@@ -1435,43 +1350,43 @@ return {
 "announcements": {
 "Fast DDS": [
 {
-"where": s128,
-"version": s129,
+"where": s109,
+"version": s110,
 "text": "<!-- for every process (tested with Fast DDS 2.9.1) -->\n<!-- Load: save as /etc/fast_dds.xml; every process that should read it runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE) -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"calm\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <initialAnnouncements>\n              <count>1</count>\n              <period>\n                <sec>1</sec>\n              </period>\n            </initialAnnouncements>\n            <leaseAnnouncement>\n              <sec>15</sec>\n            </leaseAnnouncement>\n            <leaseDuration>\n              <sec>100</sec>\n            </leaseDuration>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n",
 },
 ],
 "Cyclone DDS": [
 {
-"where": s128,
-"version": s130,
+"where": s109,
+"version": s111,
 "text": "<!-- for every process (tested with Cyclone DDS 0.10.2 and 11.0.1) -->\n<!-- Load: save as /etc/cyclonedds.xml; every process runs with -->\n<!-- CYCLONEDDS_URI=file:///etc/cyclonedds.xml -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <Discovery>\n      <LeaseDuration>100 s</LeaseDuration>\n      <SPDPInterval>30 s</SPDPInterval>\n    </Discovery>\n  </Domain>\n</CycloneDDS>\n",
 },
 ],
 },
 "discovery server": {
 "any": [
-{"where": s131, "version": s129, "text": "# on a computer that is wired to the access point (tested with Fast DDS 2.9.1)\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# Use the address of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"},
-s133,
+{"where": s112, "version": s110, "text": "# on a computer that is wired to the access point (tested with Fast DDS 2.9.1)\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# Use the address of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"},
+s114,
 {
 "where": "for the server if it is a program of your own",
-"version": s129,
+"version": s110,
 "text": "<!-- for the server if it is a program of your own (tested with Fast DDS 2.9.1) -->\n<!-- Load: save as /etc/fast_dds.xml; the server's process runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE) -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"server\" is_default_profile=\"true\">\n      <rtps>\n        <prefix>44.53.00.5f.45.50.52.4f.53.49.4d.41</prefix>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>SERVER</discoveryProtocol>\n          </discovery_config>\n          <metatrafficUnicastLocatorList>\n            <locator>\n              <udpv4>\n                <address>192.168.1.10</address>\n                <port>11811</port>\n              </udpv4>\n            </locator>\n          </metatrafficUnicastLocatorList>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n",
 },
 {
 "where": "for a client that reads no environment",
-"version": s129,
+"version": s110,
 "text": "<!-- for a client that reads no environment (tested with Fast DDS 2.9.1) -->\n<!-- Load: save as /etc/fast_dds.xml; every process that should read it runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE) -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"client\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <discoveryProtocol>CLIENT</discoveryProtocol>\n            <discoveryServersList>\n              <RemoteServer prefix=\"44.53.00.5f.45.50.52.4f.53.49.4d.41\">\n                <metatrafficUnicastLocatorList>\n                  <locator>\n                    <udpv4>\n                      <address>192.168.1.10</address>\n                      <port>11811</port>\n                    </udpv4>\n                  </locator>\n                </metatrafficUnicastLocatorList>\n              </RemoteServer>\n            </discoveryServersList>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n  </profiles>\n</dds>\n",
 },
-s134,
-s135,
+s115,
+s116,
 ],
 },
 "discovery server on a robot": {
 "any": [
-{"where": "on one of the robots", "version": s129, "text": "# on one of the robots (tested with Fast DDS 2.9.1)\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# Use the address of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"},
-s133,
-s134,
-s135,
+{"where": "on one of the robots", "version": s110, "text": "# on one of the robots (tested with Fast DDS 2.9.1)\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# Use the address of this computer.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\n"},
+s114,
+s115,
+s116,
 ],
 },
 "endpoints": {
@@ -1486,21 +1401,21 @@ s135,
 "middleware": {
 "Fast DDS": [
 {
-"where": s136,
+"where": s117,
 "version": "ROS 2 Jazzy",
 "text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: run in the\n# shell or put in the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_fastrtps_cpp\n",
 },
 ],
 "Cyclone DDS": [
 {
-"where": s136,
+"where": s117,
 "version": "ROS 2 Jazzy",
 "text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: run in the\n# shell or put in the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\n",
 },
 ],
 "Zenoh": [
 {
-"where": s136,
+"where": s117,
 "version": "ROS 2 Jazzy",
 "text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: run in the\n# shell or put in the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\n# This names the file for every process, which comes with these lines. Without a router, peers warn\n# and go on. If there is a router, start it first: ros2 run rmw_zenoh_cpp rmw_zenohd\nexport ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n",
 },
@@ -1516,8 +1431,8 @@ s135,
 "multicast endpoint data": {
 "any": [
 {
-"where": s128,
-"version": s130,
+"where": s109,
+"version": s111,
 "text": "<!-- for every process (tested with Cyclone DDS 0.10.2 and 11.0.1) -->\n<!-- Load: save as /etc/cyclonedds.xml; every process runs with -->\n<!-- CYCLONEDDS_URI=file:///etc/cyclonedds.xml -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <!-- By default, Cyclone DDS multicasts only its announcements on Wi-Fi. -->\n      <AllowMulticast>true</AllowMulticast>\n    </General>\n  </Domain>\n</CycloneDDS>\n",
 },
 ],
@@ -1525,7 +1440,7 @@ s135,
 "multicast rate": {
 "any": [
 {
-"where": s127,
+"where": s108,
 "version": "hostapd 2.10",
 "text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; the process hostapd\n# reads it when it starts\n# Multicast and management frames are sent at the lowest basic rate, here 24 Mbit/s (in units of\n# 100 kbit/s). Old rates below it are switched off, but not those of 802.11n and later. A station\n# that is too far away for 24 Mbit/s cannot join.\n# Keep your band and channel.\nhw_mode=a\nchannel=36\nsupported_rates=240 360 480 540\nbasic_rates=240\n",
 },
@@ -1534,14 +1449,14 @@ s135,
 "peers": {
 "Cyclone DDS": [
 {
-"where": s128,
-"version": s130,
+"where": s109,
+"version": s111,
 "text": "<!-- for every process (tested with Cyclone DDS 0.10.2 and 11.0.1) -->\n<!-- Load: save as /etc/cyclonedds.xml; every process runs with -->\n<!-- CYCLONEDDS_URI=file:///etc/cyclonedds.xml -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <AllowMulticast>false</AllowMulticast>\n    </General>\n    <Discovery>\n      <!-- Allow at least as many indices as a host has processes. -->\n      <ParticipantIndex>auto</ParticipantIndex>\n      <MaxAutoParticipantIndex>9</MaxAutoParticipantIndex>\n      <!-- Every host, this one included. -->\n      <Peers>\n        <Peer Address=\"192.168.1.21\"/>\n        <Peer Address=\"192.168.1.22\"/>\n        <Peer Address=\"192.168.1.23\"/>\n      </Peers>\n    </Discovery>\n  </Domain>\n</CycloneDDS>\n",
 },
 ],
 "DDS": [
 {
-"where": s132,
+"where": s113,
 "version": "ROS 2 Jazzy",
 "text": "# on every robot (ROS 2 Jazzy)\n# Load: both are environment variables of every ROS 2 process: run in the shell or put in\n# the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST\nexport ROS_STATIC_PEERS=\"192.168.1.22;192.168.1.23\"\n",
 },
@@ -1567,21 +1482,21 @@ s135,
 "radio": {
 "802.11n 40 MHz": [
 {
-"where": s127,
+"where": s108,
 "version": "hostapd 2.10",
 "text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; the process hostapd\n# reads it when it starts\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\n",
 },
 ],
 "802.11ac 80 MHz": [
 {
-"where": s127,
+"where": s108,
 "version": "hostapd 2.10",
 "text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; the process hostapd\n# reads it when it starts\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\nieee80211ac=1\nvht_oper_chwidth=1\nvht_oper_centr_freq_seg0_idx=42\nvht_capab=[SHORT-GI-80][MAX-A-MPDU-LEN-EXP7]\n",
 },
 ],
 "802.11ax 160 MHz": [
 {
-"where": s127,
+"where": s108,
 "version": "hostapd 2.10",
 "text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; the process hostapd\n# reads it when it starts\n# Radars share channels 52 to 64, so hostapd needs your country's code.\ncountry_code=US\nieee80211d=1\nieee80211h=1\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\nieee80211ac=1\nvht_oper_chwidth=2\nvht_oper_centr_freq_seg0_idx=50\nvht_capab=[VHT160][SHORT-GI-80][SHORT-GI-160][MAX-A-MPDU-LEN-EXP7]\nieee80211ax=1\nhe_oper_chwidth=2\nhe_oper_centr_freq_seg0_idx=50\n",
 },
@@ -1590,9 +1505,9 @@ s135,
 "release": {},
 "router": {
 "any": [
-s137,
+s118,
 {
-"where": s128,
+"where": s109,
 "version": "Zenoh 1.10.2",
 "text": "// for every process (tested with Zenoh 1.10.2)\n// Load: save as /etc/zenoh_session.json5; every ROS 2 process runs with\n// ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n{\n  mode: \"client\",\n  connect: { endpoints: [\"tcp/192.168.1.10:7447\"] },\n  scouting: { multicast: { enabled: false } },\n  // These settings repeat those of rmw_zenoh's own file, which this file replaces.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 },
@@ -1605,7 +1520,7 @@ s137,
 "version": "Zenoh 1.10.2",
 "text": "// on every robot for its router, which connects to lower addresses (tested with Zenoh 1.10.2)\n// Load: save as /etc/zenoh_router.json5; the router runs with\n// ZENOH_ROUTER_CONFIG_URI=/etc/zenoh_router.json5 (ros2 run rmw_zenoh_cpp rmw_zenohd)\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  // Only robots with lower addresses: a pair that is linked twice sends its KeepAlives twice.\n  connect: { endpoints: [\"tcp/192.168.1.21:7447\", \"tcp/192.168.1.22:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // These settings repeat those of rmw_zenoh's own file, which this file replaces.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 },
-s138,
+s119,
 ],
 },
 "staggered start": {
@@ -1619,25 +1534,25 @@ s138,
 },
 "star of routers": {
 "any": [
-s137,
+s118,
 {
 "where": "on every robot for its router, which connects only to the wired one",
 "version": "Zenoh 1.10.2",
 "text": "// on every robot for its router, which connects only to the wired one (tested with Zenoh 1.10.2)\n// Load: save as /etc/zenoh_router.json5; the router runs with\n// ZENOH_ROUTER_CONFIG_URI=/etc/zenoh_router.json5 (ros2 run rmw_zenoh_cpp rmw_zenohd)\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  // Only the router that is wired to the access point, and no robot.\n  connect: { endpoints: [\"tcp/192.168.1.10:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // These settings repeat those of rmw_zenoh's own file, which this file replaces.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 },
-s138,
+s119,
 ],
 },
 "static endpoints": {
 "any": [
 {
-"where": s128,
-"version": s129,
+"where": s109,
+"version": s110,
 "text": "<!-- for every process (tested with Fast DDS 2.9.1) -->\n<!-- Load: save as /etc/fast_dds.xml; every process that should read it runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE); in ROS 2 it matches nothing without -->\n<!-- RMW_FASTRTPS_USE_QOS_FROM_XML=1 -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"robot\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <EDP>STATIC</EDP>\n            <static_edp_xml_config>file:///etc/fast_dds_static_endpoints.xml</static_edp_xml_config>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n    <!-- One for each endpoint of this process, by the name of its topic. -->\n    <data_writer profile_name=\"/robot1/odom\">\n      <userDefinedID>1</userDefinedID>\n    </data_writer>\n  </profiles>\n</dds>\n",
 },
 {
-"where": s132,
-"version": s129,
+"where": s113,
+"version": s110,
 "text": "<!-- on every robot (tested with Fast DDS 2.9.1) -->\n<!-- Load: save as /etc/fast_dds_static_endpoints.xml, where the profile for every process -->\n<!-- looks for it; no environment variable of its own -->\n<staticdiscovery>\n  <!-- Every process, by the name of its participant (in ROS 2 its enclave), with all its\n       endpoints. Every endpoint has a number of its own. -->\n  <participant>\n    <name>/robot1</name>\n    <writer>\n      <userId>1</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </writer>\n  </participant>\n  <participant>\n    <name>/laptop</name>\n    <reader>\n      <userId>2</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </reader>\n  </participant>\n</staticdiscovery>\n",
 },
 ],
@@ -1646,16 +1561,16 @@ s138,
 "any": [
 {
 "where": "on two computers that are wired to the access point",
-"version": s129,
+"version": s110,
 "text": "# on two computers that are wired to the access point (tested with Fast DDS 2.9.1)\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# Run the first line on one computer, the second on the other, each with its own address.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\nfastdds discovery -i 1 -l 192.168.1.11 -p 11811\n",
 },
 {
 "where": "on every robot; list the servers in the order of their numbers",
-"version": s129,
+"version": s110,
 "text": "# on every robot; list the servers in the order of their numbers (tested with Fast DDS 2.9.1)\n# Load: ROS_DISCOVERY_SERVER is an environment variable of every process with Fast DDS: run\n# in the shell or put in the service file that starts the ROS 2 processes, before they start\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811;192.168.1.11:11811\"\n",
 },
-s134,
-s135,
+s115,
+s116,
 ],
 },
 },
@@ -1817,11 +1732,11 @@ s135,
 "group": s5,
 "family": "DDS",
 "product": null,
-"tables": {"any": [s142, s145, s148, s149, s152, s155, ["middleware", "switching to Zenoh", "", "Zenoh", "DDS", "middleware"]]},
+"tables": {"any": [s123, s126, s129, s130, s133, s136, ["middleware", "switching to Zenoh", "", "Zenoh", "DDS", "middleware"]]},
 "about": "",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
 "color": "--ds-family-dds",
 "measured": [],
@@ -1830,85 +1745,85 @@ s135,
 "variant": false,
 "lease": Infinity,
 "repeats": false,
-"outlooks": s160,
-"windows": s161,
-"units": [s163, s165, s167],
+"outlooks": s141,
+"windows": s142,
+"units": [s144, s146, s148],
 "degree": 2,
-"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s168], ["SEDP", "unicast", 464, 1, 1, 1, "up down", s168], ["Heartbeat", "unicast", 116, 1, 2, 2, "up down", s168], ["ACKNACK", "unicast", 114, 1, 2, 2, "up down", s168]],
+"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s149], ["SEDP", "unicast", 464, 1, 1, 1, "up down", s149], ["Heartbeat", "unicast", 116, 1, 2, 2, "up down", s149], ["ACKNACK", "unicast", 114, 1, 2, 2, "up down", s149]],
 },
 "Zenoh": {
 "group": s5,
 "family": "Zenoh",
 "product": null,
-"tables": {"any": [s172, s175, s178, ["peers", "static peers", "", "Zenoh, static peers", "Zenoh", "peers"], ["middleware", "switching to DDS", "", "DDS", "Zenoh", "middleware"]]},
+"tables": {"any": [s153, s156, s159, ["peers", "static peers", "", "Zenoh, static peers", "Zenoh", "peers"], ["middleware", "switching to DDS", "", "DDS", "Zenoh", "middleware"]]},
 "about": "",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s179,
+"color": s160,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": Infinity,
 "repeats": false,
-"outlooks": s160,
-"windows": s161,
-"units": s180,
+"outlooks": s141,
+"windows": s142,
+"units": s161,
 "degree": 2,
-"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s168], ["Hello", "unicast", 144, 1, 1, 1, "up down", s168], ["Declare", "unicast", 176, 1, 2, 1, "up down", s168], s181],
+"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s149], ["Hello", "unicast", 144, 1, 1, 1, "up down", s149], ["Declare", "unicast", 176, 1, 2, 1, "up down", s149], s162],
 },
 "Cyclone DDS": {
 "group": s3,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {
-"any": [[s77, s182, "", s183, "Cyclone DDS", s184], [s112, s185, "", s186, "Cyclone DDS", s187], s188, s191, s192, s193, s196, s199, s202, s204, s206, ["middleware", "switching to Fast DDS 2.14", "", "Fast DDS 2.14", "Cyclone DDS", "middleware"], s208],
-"humble": [[s77, s182, "", s209, "Cyclone DDS", s184], [s112, s185, "", s210, "Cyclone DDS", s187], s188, s191, s192, s193, s196, s199, s202, s204, s206, ["middleware", "switching to Fast DDS 2.6", "", "Fast DDS 2.6", "Cyclone DDS", "middleware"], s208],
-"kilted": [[s77, s182, "", s211, "Cyclone DDS", s184], [s112, s185, "", s212, "Cyclone DDS", s187], s188, s191, s192, s193, s196, s199, s202, s204, s206, ["middleware", s213, "", "Fast DDS 3.6", "Cyclone DDS", "middleware"], s208],
+"any": [[s77, s163, "", s164, "Cyclone DDS", s165], [s101, s166, "", s167, "Cyclone DDS", s168], s169, s172, s173, s174, s177, s180, s183, s185, s187, ["middleware", "switching to Fast DDS 2.14", "", "Fast DDS 2.14", "Cyclone DDS", "middleware"], s189],
+"humble": [[s77, s163, "", s190, "Cyclone DDS", s165], [s101, s166, "", s191, "Cyclone DDS", s168], s169, s172, s173, s174, s177, s180, s183, s185, s187, ["middleware", "switching to Fast DDS 2.6", "", "Fast DDS 2.6", "Cyclone DDS", "middleware"], s189],
+"kilted": [[s77, s163, "", s192, "Cyclone DDS", s165], [s101, s166, "", s193, "Cyclone DDS", s168], s169, s172, s173, s174, s177, s180, s183, s185, s187, ["middleware", s194, "", "Fast DDS 3.6", "Cyclone DDS", "middleware"], s189],
 },
-"about": s214,
-"caution": s215,
-"ratios": s216,
-"server_ratios": s156,
+"about": s195,
+"caution": s196,
+"ratios": s197,
+"server_ratios": s137,
 "has_server": false,
-"color": s217,
+"color": s198,
 "measured": [8, 12, 60],
-"band": s218,
+"band": s199,
 "reboot": [1.45, 3.59],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s227,
+"outlooks": s200,
+"windows": s201,
+"units": s208,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 420, 1, 0, 1, "up down", s228],
-["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s229],
-["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s230],
-["SEDP", "unicast", s231, 0.2218, 2, 1, "up down", s232],
-["SEDP again", "unicast", s231, 0.2218, 3, 0.103, "up down", s232],
-["Heartbeat", "unicast", s233, 0.5226, 1, 2, "up down", s232],
-[s234, "unicast", s233, 0.5226, 1, 2.481, "up down", s232],
-["ACKNACK", "unicast", s235, 0.402, 1, 4.635, "up down", s232],
-[s236, "unicast", s235, 0.402, 4, 0.09896, "up down", s232],
-s239,
-[s240, "unicast", s241, 0.6253, 1, 1, "up down", s232],
-[s242, "unicast", s241, 0.6253, 4, 0.1067, "up down", s232],
-s245,
-[s246, "unicast", s247, 0.4544, 1, 2.222, "up down", s232],
-s249,
-[s250, "unicast", s251, 0.3044, 1, 2.312, "up down", s232],
-[s252, "unicast", s251, 0.3044, 4, 0.05208, "up down", s232],
-[s253, "unicast", s254, 0.6806, 1, 2.333, "up down", s232],
-[s255, "unicast", s256, 0.2641, 1, 2, "up down", s232],
-[s257, "unicast", s256, 0.2641, 4, 0.2188, "up down", s232],
-[s258, "unicast", s259, 0.6247, 5, 1.006, "up down", s232],
-[s260, "unicast", s259, 0.6247, 6, 0.07217, "up down", s232],
-["User ACKNACK", "unicast", s261, 0.338, 5, 1.404, "up down", s232],
-[s262, "unicast", s261, 0.338, 6, 0.09793, "up down", s232],
+["SPDP", "multicast", 420, 1, 0, 1, "up down", s209],
+["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s210],
+["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s211],
+["SEDP", "unicast", s212, 0.2218, 2, 1, "up down", s213],
+["SEDP again", "unicast", s212, 0.2218, 3, 0.103, "up down", s213],
+["Heartbeat", "unicast", s214, 0.5226, 1, 2, "up down", s213],
+[s215, "unicast", s214, 0.5226, 1, 2.481, "up down", s213],
+["ACKNACK", "unicast", s216, 0.402, 1, 4.635, "up down", s213],
+[s217, "unicast", s216, 0.402, 4, 0.09896, "up down", s213],
+s220,
+[s221, "unicast", s222, 0.6253, 1, 1, "up down", s213],
+[s223, "unicast", s222, 0.6253, 4, 0.1067, "up down", s213],
+s226,
+[s227, "unicast", s228, 0.4544, 1, 2.222, "up down", s213],
+s230,
+[s231, "unicast", s232, 0.3044, 1, 2.312, "up down", s213],
+[s233, "unicast", s232, 0.3044, 4, 0.05208, "up down", s213],
+[s234, "unicast", s235, 0.6806, 1, 2.333, "up down", s213],
+[s236, "unicast", s237, 0.2641, 1, 2, "up down", s213],
+[s238, "unicast", s237, 0.2641, 4, 0.2188, "up down", s213],
+[s239, "unicast", s240, 0.6247, 5, 1.006, "up down", s213],
+[s241, "unicast", s240, 0.6247, 6, 0.07217, "up down", s213],
+["User ACKNACK", "unicast", s242, 0.338, 5, 1.404, "up down", s213],
+[s243, "unicast", s242, 0.338, 6, 0.09793, "up down", s213],
 ],
 },
 "Cyclone DDS, wired": {
@@ -1917,62 +1832,62 @@ s249,
 "product": "Cyclone DDS",
 "tables": {
 "any": [
-[s77, s182, s263, "Cyclone DDS, wired, switching to Fast DDS with a Discovery Server", s264, s184],
-[s112, s185, s263, "Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers", s264, s187],
-[s110, s189, "", s110, s264, s190],
-s152,
-s155,
-["router", s194, "", "Zenoh router", s264, s195],
-[s106, s197, "", s174, s264, s198],
-[s109, s200, "", s177, s264, s201],
-["announcements", s203, "", "Cyclone DDS, wired, a longer announcement interval", s264, "announcements"],
-["release", s265, "", "Cyclone DDS", s264, "release"],
-["release", s205, "", s2, s264, "release"],
-["middleware", s213, "", "Fast DDS 3.6", s264, "middleware"],
-["middleware", s207, "", s171, s264, "middleware"],
+[s77, s163, s244, "Cyclone DDS, wired, switching to Fast DDS with a Discovery Server", s245, s165],
+[s101, s166, s244, "Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers", s245, s168],
+[s100, s170, "", s100, s245, s171],
+s133,
+s136,
+["router", s175, "", "Zenoh router", s245, s176],
+[s96, s178, "", s155, s245, s179],
+[s99, s181, "", s158, s245, s182],
+["announcements", s184, "", "Cyclone DDS, wired, a longer announcement interval", s245, "announcements"],
+["release", s246, "", "Cyclone DDS", s245, "release"],
+["release", s186, "", s2, s245, "release"],
+["middleware", s194, "", "Fast DDS 3.6", s245, "middleware"],
+["middleware", s188, "", s152, s245, "middleware"],
 ],
 },
-"about": s266,
+"about": s247,
 "caution": "Cyclone DDS in this form was not measured in an emulated Wi-Fi cell, where its form for Wi-Fi took up to 6.8 times as long as simulated",
-"ratios": s216,
-"server_ratios": s156,
+"ratios": s197,
+"server_ratios": s137,
 "has_server": false,
-"color": s217,
+"color": s198,
 "measured": [8, 12, 20],
-"band": s267,
+"band": s248,
 "reboot": [],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s268,
+"outlooks": s200,
+"windows": s201,
+"units": s249,
 "degree": 3,
 "messages": [
-s269,
-["SPDP directed", "unicast", s270, 0.9963, 1, 0.6667, "up down", s230],
-["SEDP", "unicast", s271, 0.1841, 2, 0.5833, "up down", s232],
-[s272, "multicast", s273, 0.2228, 2, 0.1667, "up down", s232],
-[s274, "multicast", 232, 0.25, 0, 2, "up down", s232],
-["Heartbeat", "unicast", s275, 0.3287, 1, 3, "up down", s232],
-["ACKNACK", "unicast", s276, 0.3715, 1, 4.05, "up down", s232],
-[s236, "unicast", s276, 0.3715, 3, 0.2833, "up down", s232],
-["Liveliness", "multicast", s237, 0.7242, 0, 1, "up down", s238],
-[s240, "multicast", s277, 0.9582, 0, 0.3333, "up down", s232],
-[s278, "unicast", 429, 0.2, 1, 0.5, "up down", s232],
-[s243, "multicast", s244, 0.2758, 0, 1, "up down", s238],
-[s246, "multicast", s279, 0.1767, 0, 0.875, "up down", s232],
-[s280, "unicast", s281, 0.2117, 1, 1.625, "up down", s232],
-s249,
-[s250, "unicast", s282, 0.2807, 1, 2.344, "up down", s232],
-[s252, "unicast", s282, 0.2807, 3, 0.07812, "up down", s232],
-[s253, "multicast", s283, 0.1988, 0, 2, "up down", s232],
-[s284, "unicast", s285, 0.1917, 1, 0.6667, "up down", s232],
-[s255, "unicast", 211.5, 0.2, 1, 2, "up down", s232],
-[s257, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s232],
-[s258, "unicast", s286, 0.2427, 4, 0.75, "up down", s232],
-[s287, "multicast", s288, 0.2152, 4, 0.25, "up down", s232],
-["User ACKNACK", "unicast", s289, 0.2283, 4, 2, "up down", s232],
+s250,
+["SPDP directed", "unicast", s251, 0.9963, 1, 0.6667, "up down", s211],
+["SEDP", "unicast", s252, 0.1841, 2, 0.5833, "up down", s213],
+[s253, "multicast", s254, 0.2228, 2, 0.1667, "up down", s213],
+[s255, "multicast", 232, 0.25, 0, 2, "up down", s213],
+["Heartbeat", "unicast", s256, 0.3287, 1, 3, "up down", s213],
+["ACKNACK", "unicast", s257, 0.3715, 1, 4.05, "up down", s213],
+[s217, "unicast", s257, 0.3715, 3, 0.2833, "up down", s213],
+["Liveliness", "multicast", s218, 0.7242, 0, 1, "up down", s219],
+[s221, "multicast", s258, 0.9582, 0, 0.3333, "up down", s213],
+[s259, "unicast", 429, 0.2, 1, 0.5, "up down", s213],
+[s224, "multicast", s225, 0.2758, 0, 1, "up down", s219],
+[s227, "multicast", s260, 0.1767, 0, 0.875, "up down", s213],
+[s261, "unicast", s262, 0.2117, 1, 1.625, "up down", s213],
+s230,
+[s231, "unicast", s263, 0.2807, 1, 2.344, "up down", s213],
+[s233, "unicast", s263, 0.2807, 3, 0.07812, "up down", s213],
+[s234, "multicast", s264, 0.1988, 0, 2, "up down", s213],
+[s265, "unicast", s266, 0.1917, 1, 0.6667, "up down", s213],
+[s236, "unicast", 211.5, 0.2, 1, 2, "up down", s213],
+[s238, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s213],
+[s239, "unicast", s267, 0.2427, 4, 0.75, "up down", s213],
+[s268, "multicast", s269, 0.2152, 4, 0.25, "up down", s213],
+["User ACKNACK", "unicast", s270, 0.2283, 4, 2, "up down", s213],
 ],
 },
 "Cyclone DDS, version 11": {
@@ -1981,61 +1896,61 @@ s249,
 "product": "Cyclone DDS",
 "tables": {
 "any": [
-[s77, s182, s263, "Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server", s2, s184],
-[s112, s185, s263, "Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers", s2, s187],
-[s110, s189, "", s110, s2, s190],
-s152,
-s155,
-["router", s194, "", "Zenoh router", s2, s195],
-[s106, s197, "", s174, s2, s198],
-[s109, s200, "", s177, s2, s201],
-["announcements", s203, "", "Cyclone DDS, version 11, a longer announcement interval", s2, "announcements"],
-["release", s265, "", "Cyclone DDS", s2, "release"],
-["middleware", s213, "", "Fast DDS 3.6", s2, "middleware"],
-["middleware", s207, "", s171, s2, "middleware"],
+[s77, s163, s244, "Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server", s2, s165],
+[s101, s166, s244, "Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers", s2, s168],
+[s100, s170, "", s100, s2, s171],
+s133,
+s136,
+["router", s175, "", "Zenoh router", s2, s176],
+[s96, s178, "", s155, s2, s179],
+[s99, s181, "", s158, s2, s182],
+["announcements", s184, "", "Cyclone DDS, version 11, a longer announcement interval", s2, "announcements"],
+["release", s246, "", "Cyclone DDS", s2, "release"],
+["middleware", s194, "", "Fast DDS 3.6", s2, "middleware"],
+["middleware", s188, "", s152, s2, "middleware"],
 ],
 },
-"about": s290,
+"about": s271,
 "caution": "Cyclone DDS 11 was not measured in an emulated Wi-Fi cell, where Cyclone DDS 0.10.5 took up to 6.8 times as long as simulated",
-"ratios": s216,
-"server_ratios": s156,
+"ratios": s197,
+"server_ratios": s137,
 "has_server": false,
-"color": s217,
+"color": s198,
 "measured": [8, 12, 60],
-"band": s291,
+"band": s272,
 "reboot": [1.31, 3.21],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s227,
+"outlooks": s200,
+"windows": s201,
+"units": s208,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 432, 1, 0, 1, "up down", s228],
-["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s229],
-["SPDP directed", "unicast", s292, 0.9992, 1, 0.5413, "up down", s230],
-["SEDP", "unicast", s293, 0.4598, 2, 1, "up down", s232],
-["SEDP again", "unicast", s293, 0.4598, 3, 0.09093, "up down", s232],
-["Heartbeat", "unicast", s294, 0.5475, 1, 2, "up down", s232],
-[s234, "unicast", s294, 0.5475, 1, 2.833, "up down", s232],
-["ACKNACK", "unicast", s295, 0.3982, 1, 5.167, "up down", s232],
-[s236, "unicast", s295, 0.3982, 4, 0.125, "up down", s232],
-s239,
-[s240, "unicast", s296, 0.6519, 1, 1, "up down", s232],
-[s242, "unicast", s296, 0.6519, 4, 0.09103, "up down", s232],
-s245,
-[s246, "unicast", s297, 0.4401, 1, 2.188, "up down", s232],
-s249,
-[s250, "unicast", s298, 0.2753, 1, 2.278, "up down", s232],
-[s252, "unicast", s298, 0.2753, 4, 0.05556, "up down", s232],
-[s253, "unicast", s299, 0.6399, 1, 2.542, "up down", s232],
-[s255, "unicast", s300, 0.2385, 1, 2, "up down", s232],
-[s257, "unicast", s300, 0.2385, 4, 0.1997, "up down", s232],
-[s258, "unicast", s301, 0.6975, 5, 1.06, "up down", s232],
-[s260, "unicast", s301, 0.6975, 6, 0.06995, "up down", s232],
-["User ACKNACK", "unicast", s302, 0.4362, 5, 1.562, "up down", s232],
-[s262, "unicast", s302, 0.4362, 6, 0.09399, "up down", s232],
+["SPDP", "multicast", 432, 1, 0, 1, "up down", s209],
+["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s210],
+["SPDP directed", "unicast", s273, 0.9992, 1, 0.5413, "up down", s211],
+["SEDP", "unicast", s274, 0.4598, 2, 1, "up down", s213],
+["SEDP again", "unicast", s274, 0.4598, 3, 0.09093, "up down", s213],
+["Heartbeat", "unicast", s275, 0.5475, 1, 2, "up down", s213],
+[s215, "unicast", s275, 0.5475, 1, 2.833, "up down", s213],
+["ACKNACK", "unicast", s276, 0.3982, 1, 5.167, "up down", s213],
+[s217, "unicast", s276, 0.3982, 4, 0.125, "up down", s213],
+s220,
+[s221, "unicast", s277, 0.6519, 1, 1, "up down", s213],
+[s223, "unicast", s277, 0.6519, 4, 0.09103, "up down", s213],
+s226,
+[s227, "unicast", s278, 0.4401, 1, 2.188, "up down", s213],
+s230,
+[s231, "unicast", s279, 0.2753, 1, 2.278, "up down", s213],
+[s233, "unicast", s279, 0.2753, 4, 0.05556, "up down", s213],
+[s234, "unicast", s280, 0.6399, 1, 2.542, "up down", s213],
+[s236, "unicast", s281, 0.2385, 1, 2, "up down", s213],
+[s238, "unicast", s281, 0.2385, 4, 0.1997, "up down", s213],
+[s239, "unicast", s282, 0.6975, 5, 1.06, "up down", s213],
+[s241, "unicast", s282, 0.6975, 6, 0.06995, "up down", s213],
+["User ACKNACK", "unicast", s283, 0.4362, 5, 1.562, "up down", s213],
+[s243, "unicast", s283, 0.4362, 6, 0.09399, "up down", s213],
 ],
 },
 "Cyclone DDS peers": {
@@ -2044,58 +1959,58 @@ s249,
 "product": "Cyclone DDS",
 "tables": {
 "any": [
-[s77, s182, s263, "Cyclone DDS peers, switching to Fast DDS with a Discovery Server", s151, s184],
-[s112, s185, s263, "Cyclone DDS peers, switching to Fast DDS with two Discovery Servers", s151, s187],
-[s110, s189, "", s110, s151, s190],
-[s100, s153, "", s154, s151, s100],
-["router", s194, "", "Zenoh router", s151, s195],
-[s106, s197, "", s174, s151, s198],
-[s109, s200, "", s177, s151, s201],
-["announcements", s203, "", "Cyclone DDS peers, a longer announcement interval", s151, "announcements"],
-["middleware", s303, "", s2, s151, "middleware"],
-["middleware", s213, "", "Fast DDS 3.6", s151, "middleware"],
-["middleware", s207, "", s171, s151, "middleware"],
+[s77, s163, s244, "Cyclone DDS peers, switching to Fast DDS with a Discovery Server", s132, s165],
+[s101, s166, s244, "Cyclone DDS peers, switching to Fast DDS with two Discovery Servers", s132, s168],
+[s100, s170, "", s100, s132, s171],
+[s93, s134, "", s135, s132, s93],
+["router", s175, "", "Zenoh router", s132, s176],
+[s96, s178, "", s155, s132, s179],
+[s99, s181, "", s158, s132, s182],
+["announcements", s184, "", "Cyclone DDS peers, a longer announcement interval", s132, "announcements"],
+["middleware", s284, "", s2, s132, "middleware"],
+["middleware", s194, "", "Fast DDS 3.6", s132, "middleware"],
+["middleware", s188, "", s152, s132, "middleware"],
 ],
 },
-"about": s304,
-"caution": s215,
-"ratios": s216,
-"server_ratios": s156,
+"about": s285,
+"caution": s196,
+"ratios": s197,
+"server_ratios": s137,
 "has_server": false,
-"color": s217,
+"color": s198,
 "measured": [8, 12, 10],
-"band": s305,
+"band": s286,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s310,
+"outlooks": s200,
+"windows": s201,
+"units": s291,
 "degree": 3,
 "messages": [
-["SPDP", "unicast", 420, 1, 0, 9, "up down", s228],
-[s311, "unicast", 448, 1, 1, 6, "up down", s312],
-["SPDP directed", "unicast", s313, 0.9817, 2, 0.8333, "up down", s230],
-["SEDP", "unicast", s314, 0.172, 3, 1, "up down", s232],
-["SEDP again", "unicast", s315, 0.8001, 4, 0.08633, "up down", s232],
-["Heartbeat", "unicast", s316, 0.5756, 2, 2, "up down", s232],
-[s234, "unicast", s316, 0.5756, 2, 2.944, "up down", s232],
-["ACKNACK", "unicast", s317, 0.3827, 2, 4.424, "up down", s232],
-[s236, "unicast", s317, 0.3827, 5, 0.2049, "up down", s232],
-["Liveliness", "unicast", s318, 0.7241, 2, 1, "up down", s238],
-[s240, "unicast", s319, 0.7527, 2, 1, "up down", s232],
-[s242, "unicast", s319, 0.7527, 5, 0.08333, "up down", s232],
-[s243, "unicast", s320, 0.2759, 2, 1, "up down", s238],
-[s246, "unicast", s321, 0.4258, 2, 2.556, "up down", s232],
-[s248, "unicast", 128, 1, 2, 1, "up down", s238],
-[s250, "unicast", s322, 0.265, 2, 2.296, "up down", s232],
-[s252, "unicast", s322, 0.265, 5, 0.09271, "up down", s232],
-[s253, "unicast", s323, 0.6431, 2, 3, "up down", s232],
-[s255, "unicast", s324, 0.283, 2, 2, "up down", s232],
-[s257, "unicast", s324, 0.283, 5, 0.3631, "up down", s232],
-[s258, "unicast", s325, 0.5405, 6, 1.542, "up down", s232],
-["User ACKNACK", "unicast", s326, 0.437, 6, 2.208, "up down", s232],
+["SPDP", "unicast", 420, 1, 0, 9, "up down", s209],
+[s292, "unicast", 448, 1, 1, 6, "up down", s293],
+["SPDP directed", "unicast", s294, 0.9817, 2, 0.8333, "up down", s211],
+["SEDP", "unicast", s295, 0.172, 3, 1, "up down", s213],
+["SEDP again", "unicast", s296, 0.8001, 4, 0.08633, "up down", s213],
+["Heartbeat", "unicast", s297, 0.5756, 2, 2, "up down", s213],
+[s215, "unicast", s297, 0.5756, 2, 2.944, "up down", s213],
+["ACKNACK", "unicast", s298, 0.3827, 2, 4.424, "up down", s213],
+[s217, "unicast", s298, 0.3827, 5, 0.2049, "up down", s213],
+["Liveliness", "unicast", s299, 0.7241, 2, 1, "up down", s219],
+[s221, "unicast", s300, 0.7527, 2, 1, "up down", s213],
+[s223, "unicast", s300, 0.7527, 5, 0.08333, "up down", s213],
+[s224, "unicast", s301, 0.2759, 2, 1, "up down", s219],
+[s227, "unicast", s302, 0.4258, 2, 2.556, "up down", s213],
+[s229, "unicast", 128, 1, 2, 1, "up down", s219],
+[s231, "unicast", s303, 0.265, 2, 2.296, "up down", s213],
+[s233, "unicast", s303, 0.265, 5, 0.09271, "up down", s213],
+[s234, "unicast", s304, 0.6431, 2, 3, "up down", s213],
+[s236, "unicast", s305, 0.283, 2, 2, "up down", s213],
+[s238, "unicast", s305, 0.283, 5, 0.3631, "up down", s213],
+[s239, "unicast", s306, 0.5405, 6, 1.542, "up down", s213],
+["User ACKNACK", "unicast", s307, 0.437, 6, 2.208, "up down", s213],
 ],
 },
 "Cyclone DDS multicast SEDP": {
@@ -2104,60 +2019,60 @@ s249,
 "product": "Cyclone DDS",
 "tables": {
 "any": [
-[s77, s182, s263, "Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server", s154, s184],
-[s112, s185, s263, "Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers", s154, s187],
-[s110, s189, "", s110, s154, s190],
-["peers", "static peers", "", s151, s154, "peers"],
-["router", s194, "", "Zenoh router", s154, s195],
-[s106, s197, "", s174, s154, s198],
-[s109, s200, "", s177, s154, s201],
-["announcements", s203, "", "Cyclone DDS multicast SEDP, a longer announcement interval", s154, "announcements"],
-["middleware", s303, "", s2, s154, "middleware"],
-["middleware", s213, "", "Fast DDS 3.6", s154, "middleware"],
-["middleware", s207, "", s171, s154, "middleware"],
+[s77, s163, s244, "Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server", s135, s165],
+[s101, s166, s244, "Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers", s135, s168],
+[s100, s170, "", s100, s135, s171],
+["peers", "static peers", "", s132, s135, "peers"],
+["router", s175, "", "Zenoh router", s135, s176],
+[s96, s178, "", s155, s135, s179],
+[s99, s181, "", s158, s135, s182],
+["announcements", s184, "", "Cyclone DDS multicast SEDP, a longer announcement interval", s135, "announcements"],
+["middleware", s284, "", s2, s135, "middleware"],
+["middleware", s194, "", "Fast DDS 3.6", s135, "middleware"],
+["middleware", s188, "", s152, s135, "middleware"],
 ],
 },
-"about": s327,
-"caution": s215,
-"ratios": s216,
-"server_ratios": s156,
+"about": s308,
+"caution": s196,
+"ratios": s197,
+"server_ratios": s137,
 "has_server": false,
-"color": s217,
+"color": s198,
 "measured": [8, 12, 10],
-"band": s328,
+"band": s309,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s268,
+"outlooks": s200,
+"windows": s201,
+"units": s249,
 "degree": 3,
 "messages": [
-s269,
-["SPDP directed", "unicast", s329, 0.9988, 1, 0.8, "up down", s230],
-["SEDP", "unicast", s330, 0.2085, 2, 0.3719, "up down", s232],
-[s272, "multicast", s331, 0.2222, 2, 0.23, "up down", s232],
-[s274, "multicast", s332, 0.28, 0, 1.833, "up down", s232],
-["Heartbeat", "unicast", s333, 0.3143, 1, 3.333, "up down", s232],
-["ACKNACK", "unicast", s334, 0.3558, 1, 4.517, "up down", s232],
-[s236, "unicast", s334, 0.3558, 3, 0.1494, "up down", s232],
-["Liveliness", "multicast", s335, 0.724, 0, 1, "up down", s238],
-[s240, "multicast", s336, 0.9539, 0, 0.8333, "up down", s232],
-[s278, "unicast", s337, 0.15, 1, 0.5, "up down", s232],
-[s243, "multicast", s338, 0.276, 0, 1, "up down", s238],
-[s246, "multicast", s339, 0.2328, 0, 1, "up down", s232],
-[s280, "unicast", s340, 0.2318, 1, 1.75, "up down", s232],
-s249,
-[s250, "unicast", s341, 0.2856, 1, 2.379, "up down", s232],
-[s252, "unicast", s341, 0.2856, 3, 0.08854, "up down", s232],
-[s253, "multicast", s342, 0.2325, 0, 2, "up down", s232],
-[s284, "unicast", s343, 0.1726, 1, 1.167, "up down", s232],
-[s255, "unicast", s344, 0.2088, 1, 2, "up down", s232],
-[s257, "unicast", s344, 0.2088, 3, 0.3274, "up down", s232],
-[s258, "unicast", s345, 0.4167, 4, 0.7917, "up down", s232],
-[s287, "multicast", s346, 0.6667, 4, 0.1667, "up down", s232],
-["User ACKNACK", "unicast", s347, 0.4167, 4, 2.167, "up down", s232],
+s250,
+["SPDP directed", "unicast", s310, 0.9988, 1, 0.8, "up down", s211],
+["SEDP", "unicast", s311, 0.2085, 2, 0.3719, "up down", s213],
+[s253, "multicast", s312, 0.2222, 2, 0.23, "up down", s213],
+[s255, "multicast", s313, 0.28, 0, 1.833, "up down", s213],
+["Heartbeat", "unicast", s314, 0.3143, 1, 3.333, "up down", s213],
+["ACKNACK", "unicast", s315, 0.3558, 1, 4.517, "up down", s213],
+[s217, "unicast", s315, 0.3558, 3, 0.1494, "up down", s213],
+["Liveliness", "multicast", s316, 0.724, 0, 1, "up down", s219],
+[s221, "multicast", s317, 0.9539, 0, 0.8333, "up down", s213],
+[s259, "unicast", s318, 0.15, 1, 0.5, "up down", s213],
+[s224, "multicast", s319, 0.276, 0, 1, "up down", s219],
+[s227, "multicast", s320, 0.2328, 0, 1, "up down", s213],
+[s261, "unicast", s321, 0.2318, 1, 1.75, "up down", s213],
+s230,
+[s231, "unicast", s322, 0.2856, 1, 2.379, "up down", s213],
+[s233, "unicast", s322, 0.2856, 3, 0.08854, "up down", s213],
+[s234, "multicast", s323, 0.2325, 0, 2, "up down", s213],
+[s265, "unicast", s324, 0.1726, 1, 1.167, "up down", s213],
+[s236, "unicast", s325, 0.2088, 1, 2, "up down", s213],
+[s238, "unicast", s325, 0.2088, 3, 0.3274, "up down", s213],
+[s239, "unicast", s326, 0.4167, 4, 0.7917, "up down", s213],
+[s268, "multicast", s327, 0.6667, 4, 0.1667, "up down", s213],
+["User ACKNACK", "unicast", s328, 0.4167, 4, 2.167, "up down", s213],
 ],
 },
 "Fast DDS Discovery Server": {
@@ -2166,36 +2081,36 @@ s249,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s112, s143, "", s144, s141, s112],
-[s90, s146, "", s147, s141, s90],
-[s110, s110, "", s110, s141, s110],
-["peers", s348, "", s151, s141, s349],
-[s100, s350, "", s154, s141, s351],
-["router", s194, "", "Zenoh router", s141, s195],
-[s106, s197, "", s174, s141, s198],
-[s109, s200, "", s177, s141, s201],
-["middleware", s303, "", s2, s141, "middleware"],
-["middleware", s213, "", "Fast DDS 3.6", s141, "middleware"],
-["middleware", s207, "", s171, s141, "middleware"],
+[s101, s124, "", s125, s122, s101],
+[s87, s127, "", s128, s122, s87],
+[s100, s100, "", s100, s122, s100],
+["peers", s329, "", s132, s122, s330],
+[s93, s331, "", s135, s122, s332],
+["router", s175, "", "Zenoh router", s122, s176],
+[s96, s178, "", s155, s122, s179],
+[s99, s181, "", s158, s122, s182],
+["middleware", s284, "", s2, s122, "middleware"],
+["middleware", s194, "", "Fast DDS 3.6", s122, "middleware"],
+["middleware", s188, "", s152, s122, "middleware"],
 ],
 },
-"about": s352,
+"about": s333,
 "caution": "",
-"ratios": s353,
-"server_ratios": s156,
+"ratios": s334,
+"server_ratios": s137,
 "has_server": true,
-"color": s354,
+"color": s335,
 "measured": [8, 8, 10],
-"band": s355,
+"band": s336,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s364,
+"outlooks": s337,
+"windows": s338,
+"units": s345,
 "degree": 2,
-"messages": s400,
+"messages": s381,
 },
 "Fast DDS Discovery Server, two": {
 "group": s4,
@@ -2203,36 +2118,36 @@ s249,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s77, s139, "", s141, s144, s77],
-[s90, s146, "", s147, s144, s90],
-[s110, s110, "", s110, s144, s110],
-["peers", s348, "", s151, s144, s349],
-[s100, s350, "", s154, s144, s351],
-["router", s194, "", "Zenoh router", s144, s195],
-[s106, s197, "", s174, s144, s198],
-[s109, s200, "", s177, s144, s201],
-["middleware", s303, "", s2, s144, "middleware"],
-["middleware", s213, "", "Fast DDS 3.6", s144, "middleware"],
-["middleware", s207, "", s171, s144, "middleware"],
+[s77, s120, "", s122, s125, s77],
+[s87, s127, "", s128, s125, s87],
+[s100, s100, "", s100, s125, s100],
+["peers", s329, "", s132, s125, s330],
+[s93, s331, "", s135, s125, s332],
+["router", s175, "", "Zenoh router", s125, s176],
+[s96, s178, "", s155, s125, s179],
+[s99, s181, "", s158, s125, s182],
+["middleware", s284, "", s2, s125, "middleware"],
+["middleware", s194, "", "Fast DDS 3.6", s125, "middleware"],
+["middleware", s188, "", s152, s125, "middleware"],
 ],
 },
-"about": s401,
+"about": s382,
 "caution": "",
-"ratios": s402,
-"server_ratios": s156,
+"ratios": s383,
+"server_ratios": s137,
 "has_server": true,
-"color": s354,
+"color": s335,
 "measured": [8, 8, 10],
-"band": s403,
+"band": s384,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s364,
+"outlooks": s337,
+"windows": s338,
+"units": s345,
 "degree": 2,
-"messages": s404,
+"messages": s385,
 },
 "Fast DDS Discovery Server, on a robot": {
 "group": s4,
@@ -2240,64 +2155,64 @@ s249,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s77, s139, "", s141, s147, s77],
-[s112, s143, "", s144, s147, s112],
-[s110, s110, "", s110, s147, s110],
-["peers", s348, "", s151, s147, s349],
-[s100, s350, "", s154, s147, s351],
-["router", s194, "", "Zenoh router", s147, s195],
-[s106, s197, "", s174, s147, s198],
-[s109, s200, "", s177, s147, s201],
-["middleware", s303, "", s2, s147, "middleware"],
-["middleware", s213, "", "Fast DDS 3.6", s147, "middleware"],
-["middleware", s207, "", s171, s147, "middleware"],
+[s77, s120, "", s122, s128, s77],
+[s101, s124, "", s125, s128, s101],
+[s100, s100, "", s100, s128, s100],
+["peers", s329, "", s132, s128, s330],
+[s93, s331, "", s135, s128, s332],
+["router", s175, "", "Zenoh router", s128, s176],
+[s96, s178, "", s155, s128, s179],
+[s99, s181, "", s158, s128, s182],
+["middleware", s284, "", s2, s128, "middleware"],
+["middleware", s194, "", "Fast DDS 3.6", s128, "middleware"],
+["middleware", s188, "", s152, s128, "middleware"],
 ],
 },
 "about": "one server, on a robot with processes of its own; as the table of a wired one, on other hops (measured with 2.9.1)",
 "caution": "",
-"ratios": s402,
-"server_ratios": s156,
+"ratios": s383,
+"server_ratios": s137,
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [8, 8, 10],
 "band": [[1, 1, 1, "In 6 swarms within these sizes, left out of the fit, discovery took 0.97 to 1.16 times the predicted airtime (typical error 3%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": [[s405, s405, s405], [s225, s406, s406], [s407, s407, s407], [s225, {"count": "count21", "more": ["more52", "more53", "more43"]}, {"count": "count22", "more": ["more54", "more55", "more5"]}], s363, s226],
+"outlooks": s337,
+"windows": s338,
+"units": [[s386, s386, s386], [s206, s387, s387], [s388, s388, s388], [s206, {"count": "count21", "more": ["more52", "more53", "more43"]}, {"count": "count22", "more": ["more54", "more55", "more5"]}], s344, s207],
 "degree": 2,
 "messages": [
-[s365, "unicast", 652, 1, 0, 1, "up down", s367],
-[s368, "unicast", 700, 1, 0, 1, "up down", s369],
-[s370, "unicast", s371, 0.865, 0, 1, "up down", s372],
-[s373, "unicast", s374, 0.8517, 1, 1.967, "up down", s372],
-[s375, "unicast", 192, 1, 0, 2, "up down", s372],
-[s376, "unicast", s377, 0.5969, 0, 2.167, "up down", s372],
-[s378, "unicast", s379, 0.3182, 1, 2.908, "up down", s372],
-["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", s372],
-[s380, "unicast", 190.2, 1, 1, 0.5083, "up down", s372],
-[s381, "unicast", 188, 1, 0, 2, "up down", s372],
-["SPDP Gap", "unicast", s382, 0.6193, 1, 1.6, "up down", s372],
-[s383, "unicast", 1152, 0.45, 2, 1, "up down", s372],
-[s384, "unicast", s385, 0.8446, 3, 1.237, "up down", s372],
-["Heartbeat", "unicast", 192, 1, 0, 4, "up down", s372],
-[s386, "unicast", 192, 1, 0, 4, "up down", s372],
-[s387, "unicast", s388, 0.2358, 3, 1.892, "up down", s372],
-["ACKNACK", "unicast", 188, 1, 0, 4, "up down", s372],
-[s389, "unicast", 191.3, 1, 3, 0.45, "up down", s372],
-[s390, "unicast", 188.5, 1, 0, 15.6, "up down", s372],
-["Gap", "unicast", s391, 0.6838, 3, 0.645, "up down", s372],
-[s392, "unicast", 192, 1, 0, 1, "up down", s372],
-[s393, "unicast", 192, 1, 0, 2, "up down", s372],
-s394,
-[s395, "unicast", 188, 1, 0, 2, "up down", s372],
-[s396, "unicast", 188, 1, 0, 2, "up down", s372],
-s397,
-s398,
-s399,
+[s346, "unicast", 652, 1, 0, 1, "up down", s348],
+[s349, "unicast", 700, 1, 0, 1, "up down", s350],
+[s351, "unicast", s352, 0.865, 0, 1, "up down", s353],
+[s354, "unicast", s355, 0.8517, 1, 1.967, "up down", s353],
+[s356, "unicast", 192, 1, 0, 2, "up down", s353],
+[s357, "unicast", s358, 0.5969, 0, 2.167, "up down", s353],
+[s359, "unicast", s360, 0.3182, 1, 2.908, "up down", s353],
+["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", s353],
+[s361, "unicast", 190.2, 1, 1, 0.5083, "up down", s353],
+[s362, "unicast", 188, 1, 0, 2, "up down", s353],
+["SPDP Gap", "unicast", s363, 0.6193, 1, 1.6, "up down", s353],
+[s364, "unicast", 1152, 0.45, 2, 1, "up down", s353],
+[s365, "unicast", s366, 0.8446, 3, 1.237, "up down", s353],
+["Heartbeat", "unicast", 192, 1, 0, 4, "up down", s353],
+[s367, "unicast", 192, 1, 0, 4, "up down", s353],
+[s368, "unicast", s369, 0.2358, 3, 1.892, "up down", s353],
+["ACKNACK", "unicast", 188, 1, 0, 4, "up down", s353],
+[s370, "unicast", 191.3, 1, 3, 0.45, "up down", s353],
+[s371, "unicast", 188.5, 1, 0, 15.6, "up down", s353],
+["Gap", "unicast", s372, 0.6838, 3, 0.645, "up down", s353],
+[s373, "unicast", 192, 1, 0, 1, "up down", s353],
+[s374, "unicast", 192, 1, 0, 2, "up down", s353],
+s375,
+[s376, "unicast", 188, 1, 0, 2, "up down", s353],
+[s377, "unicast", 188, 1, 0, 2, "up down", s353],
+s378,
+s379,
+s380,
 ],
 },
 "Fast DDS": {
@@ -2306,56 +2221,56 @@ s399,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s77, s139, "", s141, "Fast DDS", s77],
-[s112, s143, "", s144, "Fast DDS", s112],
-[s90, s146, "", s147, "Fast DDS", s90],
-[s110, s110, "", s110, "Fast DDS", s110],
-["peers", s348, "", s151, "Fast DDS", s349],
-[s100, s350, "", s154, "Fast DDS", s351],
-["router", s194, "", "Zenoh router", "Fast DDS", s195],
-[s106, s197, "", s174, "Fast DDS", s198],
-[s109, s200, "", s177, "Fast DDS", s201],
-["announcements", s203, "", "Fast DDS, a longer announcement interval", "Fast DDS", "announcements"],
-["release", s408, "", "Fast DDS 3.6", "Fast DDS", "release"],
-["release", s409, "", "Fast DDS 2.6", "Fast DDS", "release"],
-["release", s410, "", "Fast DDS 2.14", "Fast DDS", "release"],
-["middleware", s303, "", s2, "Fast DDS", "middleware"],
-["middleware", s207, "", s171, "Fast DDS", "middleware"],
+[s77, s120, "", s122, "Fast DDS", s77],
+[s101, s124, "", s125, "Fast DDS", s101],
+[s87, s127, "", s128, "Fast DDS", s87],
+[s100, s100, "", s100, "Fast DDS", s100],
+["peers", s329, "", s132, "Fast DDS", s330],
+[s93, s331, "", s135, "Fast DDS", s332],
+["router", s175, "", "Zenoh router", "Fast DDS", s176],
+[s96, s178, "", s155, "Fast DDS", s179],
+[s99, s181, "", s158, "Fast DDS", s182],
+["announcements", s184, "", "Fast DDS, a longer announcement interval", "Fast DDS", "announcements"],
+["release", s389, "", "Fast DDS 3.6", "Fast DDS", "release"],
+["release", s390, "", "Fast DDS 2.6", "Fast DDS", "release"],
+["release", s391, "", "Fast DDS 2.14", "Fast DDS", "release"],
+["middleware", s284, "", s2, "Fast DDS", "middleware"],
+["middleware", s188, "", s152, "Fast DDS", "middleware"],
 ],
 },
-"about": s411,
+"about": s392,
 "caution": "",
-"ratios": s402,
+"ratios": s383,
 "server_ratios": {"measured": "Fast DDS with a Discovery Server", "range": "1.63", "hosts": "8", "seconds": "15", "low": "1.63", "high": "1.63"},
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [8, 12, 60],
-"band": s412,
+"band": s393,
 "reboot": [1.21, 1.71],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s415,
+"outlooks": s337,
+"windows": s338,
+"units": s396,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 580, 1, 0, 1, "up down", s367],
-[s416, "multicast", 580, 1, 1, 1, "up down", s372],
-["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s419],
-[s420, "unicast", 580, 1, 2, 1, "up down", s372],
-[s421, "unicast", 580, 1, 3, 0.5, "up down", s372],
-["SEDP", "unicast", s422, 0.6, 4, 1, "up down", s372],
-["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s372],
-[s234, "unicast", 184.3, 1, 2, 1.65, "up down", s372],
-[s423, "unicast", 184.3, 1, 3, 0.4252, "up down", s372],
-["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s372],
-[s424, "unicast", 189.4, 1, 2, 2.072, "up down", s372],
-[s236, "unicast", 189.4, 1, 3, 0.2616, "up down", s372],
-[s243, "unicast", 192, 1, 2, 1.148, "up down", s372],
-[s248, "unicast", 188, 1, 2, 1.148, "up down", s372],
-[s258, "unicast", 192, 1, 5, 1.4, "up down", s372],
-["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s372],
+["SPDP", "multicast", 580, 1, 0, 1, "up down", s348],
+[s397, "multicast", 580, 1, 1, 1, "up down", s353],
+["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s400],
+[s401, "unicast", 580, 1, 2, 1, "up down", s353],
+[s402, "unicast", 580, 1, 3, 0.5, "up down", s353],
+["SEDP", "unicast", s403, 0.6, 4, 1, "up down", s353],
+["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s353],
+[s215, "unicast", 184.3, 1, 2, 1.65, "up down", s353],
+[s404, "unicast", 184.3, 1, 3, 0.4252, "up down", s353],
+["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s353],
+[s405, "unicast", 189.4, 1, 2, 2.072, "up down", s353],
+[s217, "unicast", 189.4, 1, 3, 0.2616, "up down", s353],
+[s224, "unicast", 192, 1, 2, 1.148, "up down", s353],
+[s229, "unicast", 188, 1, 2, 1.148, "up down", s353],
+[s239, "unicast", 192, 1, 5, 1.4, "up down", s353],
+["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s353],
 ],
 },
 "Fast DDS 2.6": {
@@ -2364,60 +2279,60 @@ s399,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s77, s139, s140, s209, "Fast DDS", s77],
-[s112, s143, s140, s210, "Fast DDS", s112],
-s148,
-s149,
-["peers", s348, "", s151, "Fast DDS 2.6", s349],
-[s100, s350, "", s154, "Fast DDS 2.6", s351],
-["router", s194, "", "Zenoh router", "Fast DDS 2.6", s195],
-[s106, s197, "", s174, "Fast DDS 2.6", s198],
-[s109, s200, "", s177, "Fast DDS 2.6", s201],
-["announcements", s203, "", "Fast DDS 2.6, a longer announcement interval", "Fast DDS 2.6", "announcements"],
-["release", s408, "", "Fast DDS 3.6", "Fast DDS 2.6", "release"],
-["release", s410, "", "Fast DDS 2.14", "Fast DDS 2.6", "release"],
-["middleware", s425, "", "Cyclone DDS", "Fast DDS 2.6", "middleware"],
-["middleware", s207, "", s171, "Fast DDS 2.6", "middleware"],
+[s77, s120, s121, s190, "Fast DDS", s77],
+[s101, s124, s121, s191, "Fast DDS", s101],
+s129,
+s130,
+["peers", s329, "", s132, "Fast DDS 2.6", s330],
+[s93, s331, "", s135, "Fast DDS 2.6", s332],
+["router", s175, "", "Zenoh router", "Fast DDS 2.6", s176],
+[s96, s178, "", s155, "Fast DDS 2.6", s179],
+[s99, s181, "", s158, "Fast DDS 2.6", s182],
+["announcements", s184, "", "Fast DDS 2.6, a longer announcement interval", "Fast DDS 2.6", "announcements"],
+["release", s389, "", "Fast DDS 3.6", "Fast DDS 2.6", "release"],
+["release", s391, "", "Fast DDS 2.14", "Fast DDS 2.6", "release"],
+["middleware", s406, "", "Cyclone DDS", "Fast DDS 2.6", "middleware"],
+["middleware", s188, "", s152, "Fast DDS 2.6", "middleware"],
 ],
 },
 "about": "",
 "caution": "",
 "ratios": {"measured": "Fast DDS 2.6", "range": "0.89 to 1.16", "hosts": "8", "seconds": "15", "low": "0.89", "high": "1.16"},
-"server_ratios": s156,
+"server_ratios": s137,
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [10, 20, 42],
-"band": s426,
+"band": s407,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s415,
+"outlooks": s337,
+"windows": s338,
+"units": s396,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 344, 1, 0, 1, "up down", s367],
-[s416, "multicast", 344, 1, 1, 1, "up down", s372],
-["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s419],
-[s420, "unicast", 344, 1, 2, 1, "up down", s372],
-[s421, "unicast", 344, 1, 3, 0.5, "up down", s372],
-["SEDP", "unicast", s427, 0.6287, 4, 1, "up down", s372],
-["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s372],
-[s234, "unicast", 118.85, 1, 2, 3.274, "up down", s372],
-[s423, "unicast", 118.85, 1, 3, 0.4879, "up down", s372],
-["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s372],
-[s424, "unicast", 129.22, 1, 2, 1.884, "up down", s372],
-[s236, "unicast", 129.22, 1, 3, 0.3703, "up down", s372],
-[s243, "unicast", 132, 1, 2, 1.125, "up down", s372],
-[s248, "unicast", 128, 1, 2, 1.167, "up down", s372],
-[s258, "unicast", 125.14, 1, 5, 1.575, "up down", s372],
-["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s372],
-[s428, "unicast", 501.7, 1, 2, 1.685, "up down", s372],
-["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s372],
-[s429, "unicast", 125.14, 1, 3, 0.1534, "up down", s372],
-["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s372],
-[s430, "unicast", 128.35, 1, 3, 0.1351, "up down", s372],
+["SPDP", "multicast", 344, 1, 0, 1, "up down", s348],
+[s397, "multicast", 344, 1, 1, 1, "up down", s353],
+["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s400],
+[s401, "unicast", 344, 1, 2, 1, "up down", s353],
+[s402, "unicast", 344, 1, 3, 0.5, "up down", s353],
+["SEDP", "unicast", s408, 0.6287, 4, 1, "up down", s353],
+["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s353],
+[s215, "unicast", 118.85, 1, 2, 3.274, "up down", s353],
+[s404, "unicast", 118.85, 1, 3, 0.4879, "up down", s353],
+["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s353],
+[s405, "unicast", 129.22, 1, 2, 1.884, "up down", s353],
+[s217, "unicast", 129.22, 1, 3, 0.3703, "up down", s353],
+[s224, "unicast", 132, 1, 2, 1.125, "up down", s353],
+[s229, "unicast", 128, 1, 2, 1.167, "up down", s353],
+[s239, "unicast", 125.14, 1, 5, 1.575, "up down", s353],
+["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s353],
+[s409, "unicast", 501.7, 1, 2, 1.685, "up down", s353],
+["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s353],
+[s410, "unicast", 125.14, 1, 3, 0.1534, "up down", s353],
+["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s353],
+[s411, "unicast", 128.35, 1, 3, 0.1351, "up down", s353],
 ],
 },
 "Fast DDS 2.14": {
@@ -2426,20 +2341,20 @@ s149,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s77, s139, s140, s183, "Fast DDS", s77],
-[s112, s143, s140, s186, "Fast DDS", s112],
-s148,
-s149,
-["peers", s348, "", s151, "Fast DDS 2.14", s349],
-[s100, s350, "", s154, "Fast DDS 2.14", s351],
-["router", s194, "", "Zenoh router", "Fast DDS 2.14", s195],
-[s106, s197, "", s174, "Fast DDS 2.14", s198],
-[s109, s200, "", s177, "Fast DDS 2.14", s201],
-["announcements", s203, "", "Fast DDS 2.14, a longer announcement interval", "Fast DDS 2.14", "announcements"],
-["release", s408, "", "Fast DDS 3.6", "Fast DDS 2.14", "release"],
-["release", s409, "", "Fast DDS 2.6", "Fast DDS 2.14", "release"],
-["middleware", s425, "", "Cyclone DDS", "Fast DDS 2.14", "middleware"],
-["middleware", s207, "", s171, "Fast DDS 2.14", "middleware"],
+[s77, s120, s121, s164, "Fast DDS", s77],
+[s101, s124, s121, s167, "Fast DDS", s101],
+s129,
+s130,
+["peers", s329, "", s132, "Fast DDS 2.14", s330],
+[s93, s331, "", s135, "Fast DDS 2.14", s332],
+["router", s175, "", "Zenoh router", "Fast DDS 2.14", s176],
+[s96, s178, "", s155, "Fast DDS 2.14", s179],
+[s99, s181, "", s158, "Fast DDS 2.14", s182],
+["announcements", s184, "", "Fast DDS 2.14, a longer announcement interval", "Fast DDS 2.14", "announcements"],
+["release", s389, "", "Fast DDS 3.6", "Fast DDS 2.14", "release"],
+["release", s390, "", "Fast DDS 2.6", "Fast DDS 2.14", "release"],
+["middleware", s406, "", "Cyclone DDS", "Fast DDS 2.14", "middleware"],
+["middleware", s188, "", s152, "Fast DDS 2.14", "middleware"],
 ],
 },
 "about": "",
@@ -2447,35 +2362,35 @@ s149,
 "ratios": {"measured": "Fast DDS 2.14", "range": "0.39 to 1.84", "hosts": "12", "seconds": "15", "low": "0.39", "high": "1.84"},
 "server_ratios": {"measured": "Fast DDS 2.14 with a Discovery Server", "range": "0.99 to 1.19", "hosts": "12", "seconds": "15", "low": "0.99", "high": "1.19"},
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [10, 20, 42],
-"band": s431,
+"band": s412,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s432,
+"outlooks": s337,
+"windows": s338,
+"units": s413,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 560, 1, 0, 1, "up down", s367],
-["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s419],
-[s420, "unicast", 560, 1, 1, 1, "up down", s372],
-["SEDP", "unicast", s433, 0.6008, 2, 1, "up down", s372],
-["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s372],
-[s234, "unicast", 183.8, 1, 1, 2.375, "up down", s372],
-["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s372],
-[s424, "unicast", 189.7, 1, 1, 2.625, "up down", s372],
-[s243, "unicast", 192, 1, 1, 1.125, "up down", s372],
-[s248, "unicast", 188, 1, 1, 1.216, "up down", s372],
-[s258, "unicast", 183.7, 1, 3, 1.5, "up down", s372],
-["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s372],
-[s428, "unicast", 480, 1, 1, 1.037, "up down", s372],
-["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s372],
-[s429, "unicast", 183.7, 1, 4, 0.288, "up down", s372],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s372],
-[s430, "unicast", 189, 1, 4, 0.1806, "up down", s372],
+["SPDP", "multicast", 560, 1, 0, 1, "up down", s348],
+["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s400],
+[s401, "unicast", 560, 1, 1, 1, "up down", s353],
+["SEDP", "unicast", s414, 0.6008, 2, 1, "up down", s353],
+["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s353],
+[s215, "unicast", 183.8, 1, 1, 2.375, "up down", s353],
+["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s353],
+[s405, "unicast", 189.7, 1, 1, 2.625, "up down", s353],
+[s224, "unicast", 192, 1, 1, 1.125, "up down", s353],
+[s229, "unicast", 188, 1, 1, 1.216, "up down", s353],
+[s239, "unicast", 183.7, 1, 3, 1.5, "up down", s353],
+["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s353],
+[s409, "unicast", 480, 1, 1, 1.037, "up down", s353],
+["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s353],
+[s410, "unicast", 183.7, 1, 4, 0.288, "up down", s353],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s353],
+[s411, "unicast", 189, 1, 4, 0.1806, "up down", s353],
 ],
 },
 "Fast DDS 3.6": {
@@ -2483,46 +2398,46 @@ s149,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {
-"any": [[s77, s139, s434, "Fast DDS 3.6, a Discovery Server", "Fast DDS", s77], [s112, s143, s434, "Fast DDS 3.6, two Discovery Servers", "Fast DDS", s112], s149, s435, s436, s437, s438, s439, s440, s441, s442, ["middleware", s303, "", s2, "Fast DDS 3.6", "middleware"], s443],
-"kilted": [[s77, s139, s140, s211, "Fast DDS", s77], [s112, s143, s140, s212, "Fast DDS", s112], s148, s149, s435, s436, s437, s438, s439, s440, s441, s442, ["middleware", s425, "", "Cyclone DDS", "Fast DDS 3.6", "middleware"], s443],
+"any": [[s77, s120, s415, "Fast DDS 3.6, a Discovery Server", "Fast DDS", s77], [s101, s124, s415, "Fast DDS 3.6, two Discovery Servers", "Fast DDS", s101], s130, s416, s417, s418, s419, s420, s421, s422, s423, ["middleware", s284, "", s2, "Fast DDS 3.6", "middleware"], s424],
+"kilted": [[s77, s120, s121, s192, "Fast DDS", s77], [s101, s124, s121, s193, "Fast DDS", s101], s129, s130, s416, s417, s418, s419, s420, s421, s422, s423, ["middleware", s406, "", "Cyclone DDS", "Fast DDS 3.6", "middleware"], s424],
 },
 "about": "",
 "caution": "",
 "ratios": {"measured": "Fast DDS 3.6", "range": "0.87 to 1.83", "hosts": "12", "seconds": "15", "low": "0.87", "high": "1.83"},
 "server_ratios": {"measured": "Fast DDS 3.6 with a Discovery Server", "range": "1.04 to 1.16", "hosts": "12", "seconds": "15", "low": "1.04", "high": "1.16"},
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [10, 20, 42],
-"band": s444,
+"band": s425,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s445,
+"outlooks": s337,
+"windows": s338,
+"units": s426,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 632, 1, 0, 1, "up down", s367],
-["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s419],
-[s420, "unicast", 632, 1, 1, 1, "up down", s372],
-["SEDP", "unicast", s446, 0.6318, 2, 1, "up down", s372],
-["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s372],
-[s234, "unicast", 184.3, 1, 1, 2.13, "up down", s372],
-["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s372],
-[s424, "unicast", 189.6, 1, 1, 2.204, "up down", s372],
-[s243, "unicast", 192, 1, 1, 1.046, "up down", s372],
-[s248, "unicast", 188, 1, 1, 1.083, "up down", s372],
-[s258, "unicast", 178.8, 1, 3, 1.306, "up down", s372],
-["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s372],
-[s428, "unicast", 459.4, 1, 1, 1.15, "up down", s372],
-[s253, "unicast", s447, 0.9914, 1, 2.303, "up down", s372],
-[s255, "unicast", 188, 1, 1, 2.5, "up down", s372],
-["Type lookup", "unicast", s448, 0.2383, 4, 3.917, "up down", s372],
-["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s372],
-[s429, "unicast", 178.8, 1, 5, 0.1285, "up down", s372],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s372],
-[s430, "unicast", 189, 1, 5, 0.2066, "up down", s372],
+["SPDP", "multicast", 632, 1, 0, 1, "up down", s348],
+["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s400],
+[s401, "unicast", 632, 1, 1, 1, "up down", s353],
+["SEDP", "unicast", s427, 0.6318, 2, 1, "up down", s353],
+["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s353],
+[s215, "unicast", 184.3, 1, 1, 2.13, "up down", s353],
+["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s353],
+[s405, "unicast", 189.6, 1, 1, 2.204, "up down", s353],
+[s224, "unicast", 192, 1, 1, 1.046, "up down", s353],
+[s229, "unicast", 188, 1, 1, 1.083, "up down", s353],
+[s239, "unicast", 178.8, 1, 3, 1.306, "up down", s353],
+["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s353],
+[s409, "unicast", 459.4, 1, 1, 1.15, "up down", s353],
+[s234, "unicast", s428, 0.9914, 1, 2.303, "up down", s353],
+[s236, "unicast", 188, 1, 1, 2.5, "up down", s353],
+["Type lookup", "unicast", s429, 0.2383, 4, 3.917, "up down", s353],
+["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s353],
+[s410, "unicast", 178.8, 1, 5, 0.1285, "up down", s353],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s353],
+[s411, "unicast", 189, 1, 5, 0.2066, "up down", s353],
 ],
 },
 "hybrid": {
@@ -2532,21 +2447,21 @@ s149,
 "tables": {"any": []},
 "about": "this book's proposal, for hosts with unlike software",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s449,
+"color": s430,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 23,
 "repeats": true,
-"outlooks": s450,
-"windows": s451,
-"units": [s453, s163, s360, s455, s309],
+"outlooks": s431,
+"windows": s432,
+"units": [s434, s144, s341, s436, s290],
 "degree": 2,
-"messages": [s457, s458, s459, s460, s461, s463, s464],
+"messages": [s438, s439, s440, s441, s442, s444, s445],
 },
 "hybrid, alike": {
 "group": s7,
@@ -2555,98 +2470,98 @@ s149,
 "tables": {"any": []},
 "about": "this book's proposal, for hosts that are alike",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s449,
+"color": s430,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 23,
 "repeats": true,
-"outlooks": s450,
-"windows": s451,
-"units": [s453, s163, [s465, s465, s465], s455, s309],
+"outlooks": s431,
+"windows": s432,
+"units": [s434, s144, [s446, s446, s446], s436, s290],
 "degree": 2,
-"messages": [s457, s458, ["Software", "multicast", 8, 0, 0, 1, "up down", s456], s459, s460, s461, s463, s464],
+"messages": [s438, s439, ["Software", "multicast", 8, 0, 0, 1, "up down", s437], s440, s441, s442, s444, s445],
 },
 "DDS, periods of Fast DDS": {
 "group": s6,
 "family": "DDS",
 "product": null,
-"tables": {"any": [s142, s145, s148, s149, s152, s155, ["middleware", s466, "", s467, s468, "middleware"], ["middleware", s469, "", s470, s468, "middleware"]]},
+"tables": {"any": [s123, s126, s129, s130, s133, s136, ["middleware", s447, "", s448, s449, "middleware"], ["middleware", s450, "", s451, s449, "middleware"]]},
 "about": "",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s180,
+"outlooks": s337,
+"windows": s338,
+"units": s161,
 "degree": 2,
-"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s367], ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", s367], ["SEDP", "unicast", 464, 1, 2, 1, "up down", s372], ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s372], ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s372]],
+"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s348], ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", s348], ["SEDP", "unicast", 464, 1, 2, 1, "up down", s353], ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s353], ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s353]],
 },
 "DDS, periods of Cyclone DDS": {
 "group": s6,
 "family": "DDS",
 "product": null,
-"tables": {"any": [s142, s145, s148, s149, s152, s155, ["middleware", s471, "", s468, s467, "middleware"], ["middleware", s469, "", s470, s467, "middleware"]]},
+"tables": {"any": [s123, s126, s129, s130, s133, s136, ["middleware", s452, "", s449, s448, "middleware"], ["middleware", s450, "", s451, s448, "middleware"]]},
 "about": "",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s217,
+"color": s198,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s180,
+"outlooks": s200,
+"windows": s201,
+"units": s161,
 "degree": 2,
 "messages": [
-["SPDP", "multicast", 414, 1, 0, 1, "up down", s228],
-["DirectedSPDP", "unicast", 414, 1, 1, 1, "up down", s230],
-["SEDP", "unicast", 464, 1, 2, 1, "up down", s232],
-["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s232],
-["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s232],
-["Liveliness", "unicast", 180, 1, 1, 1, "up down", s312],
-["LivelinessACK", "unicast", 114, 1, 1, 1, "up down", s312],
+["SPDP", "multicast", 414, 1, 0, 1, "up down", s209],
+["DirectedSPDP", "unicast", 414, 1, 1, 1, "up down", s211],
+["SEDP", "unicast", 464, 1, 2, 1, "up down", s213],
+["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s213],
+["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s213],
+["Liveliness", "unicast", 180, 1, 1, 1, "up down", s293],
+["LivelinessACK", "unicast", 114, 1, 1, 1, "up down", s293],
 ],
 },
 "Zenoh, periods of Zenoh peer": {
 "group": s6,
 "family": "Zenoh",
 "product": null,
-"tables": {"any": [s172, s175, s178, ["peers", "static peers", "", "Zenoh, periods of Zenoh peer, static peers", s470, "peers"], ["middleware", s471, "", s468, s470, "middleware"], ["middleware", s466, "", s467, s470, "middleware"]]},
+"tables": {"any": [s153, s156, s159, ["peers", "static peers", "", "Zenoh, periods of Zenoh peer, static peers", s451, "peers"], ["middleware", s452, "", s449, s451, "middleware"], ["middleware", s447, "", s448, s451, "middleware"]]},
 "about": "",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s472,
+"color": s453,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s180,
+"outlooks": s200,
+"windows": s201,
+"units": s161,
 "degree": 2,
-"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s473], ["Hello", "unicast", 144, 1, 1, 1, "up down", s473], ["Declare", "unicast", 176, 1, 2, 1, "up down", s232], s475],
+"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s454], ["Hello", "unicast", 144, 1, 1, 1, "up down", s454], ["Declare", "unicast", 176, 1, 2, 1, "up down", s213], s456],
 },
 "static endpoints": {
 "group": s4,
@@ -2654,55 +2569,55 @@ s149,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s77, s139, "", s141, s110, s77],
-[s112, s143, "", s144, s110, s112],
-[s90, s146, "", s147, s110, s90],
-["peers", s348, "", s151, s110, s349],
-[s100, s350, "", s154, s110, s351],
-["router", s194, "", "Zenoh router", s110, s195],
-[s106, s197, "", s174, s110, s198],
-[s109, s200, "", s177, s110, s201],
-["announcements", s203, "", "static endpoints, a longer announcement interval", s110, "announcements"],
-["middleware", s303, "", s2, s110, "middleware"],
-["middleware", s213, "", "Fast DDS 3.6", s110, "middleware"],
-["middleware", s207, "", s171, s110, "middleware"],
+[s77, s120, "", s122, s100, s77],
+[s101, s124, "", s125, s100, s101],
+[s87, s127, "", s128, s100, s87],
+["peers", s329, "", s132, s100, s330],
+[s93, s331, "", s135, s100, s332],
+["router", s175, "", "Zenoh router", s100, s176],
+[s96, s178, "", s155, s100, s179],
+[s99, s181, "", s158, s100, s182],
+["announcements", s184, "", "static endpoints, a longer announcement interval", s100, "announcements"],
+["middleware", s284, "", s2, s100, "middleware"],
+["middleware", s194, "", "Fast DDS 3.6", s100, "middleware"],
+["middleware", s188, "", s152, s100, "middleware"],
 ],
 },
-"about": s476,
+"about": s457,
 "caution": "",
-"ratios": s402,
-"server_ratios": s156,
+"ratios": s383,
+"server_ratios": s137,
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [8, 8, 84],
-"band": s477,
+"band": s458,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s356,
-"windows": s357,
-"units": s481,
+"outlooks": s337,
+"windows": s338,
+"units": s462,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s367],
-[s416, "multicast", 589.2, 1, 1, 1, "up down", s372],
-[s482, "multicast", 589.2, 1, 2, 1, "up down", s372],
-["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s419],
-[s420, "unicast", 589.2, 1, 3, 1, "up down", s372],
-[s421, "unicast", 589.2, 1, 4, 0.5, "up down", s372],
-[s483, "unicast", 589.2, 1, 5, 0.6542, "up down", s372],
-["Listed", "multicast", 59.47, 0, 2, 1, "up down", s419],
-[s484, "multicast", 59.47, 0, 6, 0.8987, "up down", s372],
-[s485, "multicast", 59.47, 0, 7, 0.8987, "up down", s372],
-[s486, "unicast", 59.47, 0, 5, 1, "up down", s419],
-[s487, "unicast", 59.47, 0, 5, 0.9528, "up down", s372],
-[s488, "unicast", 59.47, 0, 8, 0.4764, "up down", s372],
-[s489, "unicast", 59.47, 0, 9, 0.6233, "up down", s372],
-[s243, "unicast", 192, 1, 3, 1.167, "up down", s372],
-[s248, "unicast", 188, 1, 3, 1.167, "up down", s372],
-[s258, "unicast", 192, 1, 10, 1.33, "up down", s372],
-["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s372],
+["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s348],
+[s397, "multicast", 589.2, 1, 1, 1, "up down", s353],
+[s463, "multicast", 589.2, 1, 2, 1, "up down", s353],
+["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s400],
+[s401, "unicast", 589.2, 1, 3, 1, "up down", s353],
+[s402, "unicast", 589.2, 1, 4, 0.5, "up down", s353],
+[s464, "unicast", 589.2, 1, 5, 0.6542, "up down", s353],
+["Listed", "multicast", 59.47, 0, 2, 1, "up down", s400],
+[s465, "multicast", 59.47, 0, 6, 0.8987, "up down", s353],
+[s466, "multicast", 59.47, 0, 7, 0.8987, "up down", s353],
+[s467, "unicast", 59.47, 0, 5, 1, "up down", s400],
+[s468, "unicast", 59.47, 0, 5, 0.9528, "up down", s353],
+[s469, "unicast", 59.47, 0, 8, 0.4764, "up down", s353],
+[s470, "unicast", 59.47, 0, 9, 0.6233, "up down", s353],
+[s224, "unicast", 192, 1, 3, 1.167, "up down", s353],
+[s229, "unicast", 188, 1, 3, 1.167, "up down", s353],
+[s239, "unicast", 192, 1, 10, 1.33, "up down", s353],
+["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s353],
 ],
 },
 "Zenoh peer": {
@@ -2711,56 +2626,56 @@ s149,
 "product": "Zenoh",
 "tables": {
 "any": [
-[s77, s182, s263, "Zenoh peer, switching to Fast DDS with a Discovery Server", "Zenoh peer", s184],
-[s112, s185, s263, "Zenoh peer, switching to Fast DDS with two Discovery Servers", "Zenoh peer", s187],
-[s110, s189, "", s110, "Zenoh peer", s190],
-["peers", s348, "", s151, "Zenoh peer", s349],
-[s100, s350, "", s154, "Zenoh peer", s351],
-s172,
-s175,
-s178,
+[s77, s163, s244, "Zenoh peer, switching to Fast DDS with a Discovery Server", "Zenoh peer", s165],
+[s101, s166, s244, "Zenoh peer, switching to Fast DDS with two Discovery Servers", "Zenoh peer", s168],
+[s100, s170, "", s100, "Zenoh peer", s171],
+["peers", s329, "", s132, "Zenoh peer", s330],
+[s93, s331, "", s135, "Zenoh peer", s332],
+s153,
+s156,
+s159,
 ["peers", "static peers", "", "Zenoh peer, static peers", "Zenoh peer", "peers"],
-["middleware", s303, "", s2, "Zenoh peer", "middleware"],
-["middleware", s213, "", "Fast DDS 3.6", "Zenoh peer", "middleware"],
+["middleware", s284, "", s2, "Zenoh peer", "middleware"],
+["middleware", s194, "", "Fast DDS 3.6", "Zenoh peer", "middleware"],
 ],
 },
-"about": s490,
+"about": s471,
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s472,
+"color": s453,
 "measured": [8, 12, 60],
-"band": s491,
+"band": s472,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s493,
+"outlooks": s200,
+"windows": s201,
+"units": s474,
 "degree": 3,
 "messages": [
-s494,
-s495,
-["Hello first", "unicast", 104, 1, 1, 0.5833, "up down", s232],
-["InitSyn", "unicast", 110, 1, 1, 0.6667, "up down", s232],
-s496,
-s497,
-s498,
-["OAM", "unicast", s499, 0.835, 1, 1, "up down", s232],
-[s500, "unicast", s499, 0.835, 2, 0.625, "up down", s232],
-["Declare", "unicast", s501, 0.1957, 3, 0.5, "up down", s232],
-[s502, "unicast", s503, 0.8037, 4, 0.5, "up down", s232],
-[s504, "unicast", s503, 0.8037, 5, 0.5, "up down", s232],
-["Declare final", "unicast", 176, 0.05, 1, 1, "up down", s232],
-["Frame", "unicast", s505, 0.2478, 1, 1, "up down", s232],
-[s506, "unicast", s505, 0.2478, 3, 0.6083, "up down", s232],
-s507,
-s508,
-["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", s474],
-[s509, "unicast", 76, 1, 1, 2.496, "up down", s232],
-[s510, "unicast", 76, 1, 3, 0.2188, "up down", s232],
+s475,
+s476,
+["Hello first", "unicast", 104, 1, 1, 0.5833, "up down", s213],
+["InitSyn", "unicast", 110, 1, 1, 0.6667, "up down", s213],
+s477,
+s478,
+s479,
+["OAM", "unicast", s480, 0.835, 1, 1, "up down", s213],
+[s481, "unicast", s480, 0.835, 2, 0.625, "up down", s213],
+["Declare", "unicast", s482, 0.1957, 3, 0.5, "up down", s213],
+[s483, "unicast", s484, 0.8037, 4, 0.5, "up down", s213],
+[s485, "unicast", s484, 0.8037, 5, 0.5, "up down", s213],
+["Declare final", "unicast", 176, 0.05, 1, 1, "up down", s213],
+["Frame", "unicast", s486, 0.2478, 1, 1, "up down", s213],
+[s487, "unicast", s486, 0.2478, 3, 0.6083, "up down", s213],
+s488,
+s489,
+["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", s455],
+[s490, "unicast", 76, 1, 1, 2.496, "up down", s213],
+[s491, "unicast", 76, 1, 3, 0.2188, "up down", s213],
 ],
 },
 "Zenoh peer, tokens": {
@@ -2769,59 +2684,59 @@ s508,
 "product": "Zenoh",
 "tables": {
 "any": [
-[s77, s182, s263, "Zenoh peer, tokens, switching to Fast DDS with a Discovery Server", s171, s184],
-[s112, s185, s263, "Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers", s171, s187],
-[s110, s189, "", s110, s171, s190],
-["peers", s348, "", s151, s171, s349],
-[s100, s350, "", s154, s171, s351],
-["router", s169, "", "Zenoh router", s171, "router"],
-[s106, s173, "", s174, s171, s106],
-[s109, s176, "", s177, s171, s109],
-["peers", "static peers", "", "Zenoh peer, tokens, static peers", s171, "peers"],
-["middleware", s303, "", s2, s171, "middleware"],
-["middleware", s213, "", "Fast DDS 3.6", s171, "middleware"],
+[s77, s163, s244, "Zenoh peer, tokens, switching to Fast DDS with a Discovery Server", s152, s165],
+[s101, s166, s244, "Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers", s152, s168],
+[s100, s170, "", s100, s152, s171],
+["peers", s329, "", s132, s152, s330],
+[s93, s331, "", s135, s152, s332],
+["router", s150, "", "Zenoh router", s152, "router"],
+[s96, s154, "", s155, s152, s96],
+[s99, s157, "", s158, s152, s99],
+["peers", "static peers", "", "Zenoh peer, tokens, static peers", s152, "peers"],
+["middleware", s284, "", s2, s152, "middleware"],
+["middleware", s194, "", "Fast DDS 3.6", s152, "middleware"],
 ],
 },
-"about": s511,
+"about": s492,
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s472,
+"color": s453,
 "measured": [8, 12, 60],
-"band": s512,
+"band": s493,
 "reboot": [0.896, 1.43],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s493,
+"outlooks": s200,
+"windows": s201,
+"units": s474,
 "degree": 3,
 "messages": [
-s494,
-s495,
-["Hello first", "unicast", 104, 1, 1, 0.5, "up down", s232],
-["InitSyn", "unicast", 109.86, 1, 1, 0.6667, "up down", s232],
-s496,
-s497,
-s498,
-["OAM", "unicast", s513, 0.7058, 1, 1, "up down", s232],
-[s500, "unicast", s513, 0.7058, 2, 0.6493, "up down", s232],
-["Declare", "unicast", s514, 0.0655, 3, 0.5, "up down", s232],
-["Declare token", "unicast", s515, 0.0603, 3, 1, "up down", s232],
-[s516, "unicast", s515, 0.0603, 1, 1, "up down", s232],
-[s502, "unicast", s517, 0.5972, 4, 1.5, "up down", s232],
-[s504, "unicast", s517, 0.5972, 5, 2.5, "up down", s232],
-[s518, "unicast", s517, 0.5972, 1, 1, "up down", s232],
-["Declare final", "unicast", s519, 0.06, 1, 1, "up down", s232],
-["Frame", "unicast", s520, 0.1352, 1, 2, "up down", s232],
-[s506, "unicast", s520, 0.1352, 3, 1, "up down", s232],
-s507,
-s508,
-["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", s474],
-[s509, "unicast", 76, 1, 1, 3.325, "up down", s232],
-[s510, "unicast", 76, 1, 3, 0.4208, "up down", s232],
+s475,
+s476,
+["Hello first", "unicast", 104, 1, 1, 0.5, "up down", s213],
+["InitSyn", "unicast", 109.86, 1, 1, 0.6667, "up down", s213],
+s477,
+s478,
+s479,
+["OAM", "unicast", s494, 0.7058, 1, 1, "up down", s213],
+[s481, "unicast", s494, 0.7058, 2, 0.6493, "up down", s213],
+["Declare", "unicast", s495, 0.0655, 3, 0.5, "up down", s213],
+["Declare token", "unicast", s496, 0.0603, 3, 1, "up down", s213],
+[s497, "unicast", s496, 0.0603, 1, 1, "up down", s213],
+[s483, "unicast", s498, 0.5972, 4, 1.5, "up down", s213],
+[s485, "unicast", s498, 0.5972, 5, 2.5, "up down", s213],
+[s499, "unicast", s498, 0.5972, 1, 1, "up down", s213],
+["Declare final", "unicast", s500, 0.06, 1, 1, "up down", s213],
+["Frame", "unicast", s501, 0.1352, 1, 2, "up down", s213],
+[s487, "unicast", s501, 0.1352, 3, 1, "up down", s213],
+s488,
+s489,
+["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", s455],
+[s490, "unicast", 76, 1, 1, 3.325, "up down", s213],
+[s491, "unicast", 76, 1, 3, 0.4208, "up down", s213],
 ],
 },
 "Zenoh router": {
@@ -2830,72 +2745,72 @@ s508,
 "product": "Zenoh",
 "tables": {
 "any": [
-[s77, s182, s263, "Zenoh router, switching to Fast DDS with a Discovery Server", "Zenoh router", s184],
-[s112, s185, s263, "Zenoh router, switching to Fast DDS with two Discovery Servers", "Zenoh router", s187],
-[s110, s189, "", s110, "Zenoh router", s190],
-["peers", s348, "", s151, "Zenoh router", s349],
-[s100, s350, "", s154, "Zenoh router", s351],
-[s106, s173, "", s174, "Zenoh router", s106],
-[s109, s176, "", s177, "Zenoh router", s109],
-["middleware", s303, "", s2, "Zenoh router", "middleware"],
-["middleware", s213, "", "Fast DDS 3.6", "Zenoh router", "middleware"],
-["middleware", s207, "", s171, "Zenoh router", "middleware"],
+[s77, s163, s244, "Zenoh router, switching to Fast DDS with a Discovery Server", "Zenoh router", s165],
+[s101, s166, s244, "Zenoh router, switching to Fast DDS with two Discovery Servers", "Zenoh router", s168],
+[s100, s170, "", s100, "Zenoh router", s171],
+["peers", s329, "", s132, "Zenoh router", s330],
+[s93, s331, "", s135, "Zenoh router", s332],
+[s96, s154, "", s155, "Zenoh router", s96],
+[s99, s157, "", s158, "Zenoh router", s99],
+["middleware", s284, "", s2, "Zenoh router", "middleware"],
+["middleware", s194, "", "Fast DDS 3.6", "Zenoh router", "middleware"],
+["middleware", s188, "", s152, "Zenoh router", "middleware"],
 ],
 },
 "about": "one router, wired to the access point, and every process its client, with liveliness tokens, as rmw_zenoh has them (measured with 1.10.2)",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": true,
-"color": s521,
+"color": s502,
 "measured": [8, 12, 10],
 "band": [[1, 1, 1, "In 7 swarms within these sizes, left out of the fit, discovery took 0.84 to 1.18 times the predicted airtime (typical error 10%). We expect 75% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s522,
-"windows": s523,
-"units": [s163, s360, s524, [s225, {"count": "count30", "more": ["more69", "more70"]}, {"count": "count31", "more": ["more71", "more72"]}], s414, s478],
+"outlooks": s503,
+"windows": s504,
+"units": [s144, s341, s505, [s206, {"count": "count30", "more": ["more69", "more70"]}, {"count": "count31", "more": ["more71", "more72"]}], s395, s459],
 "degree": 2,
 "messages": [
-["TCP SYN", "unicast", 76, 1, 0, 1, "up", s525],
-["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", s525],
-s526,
-s527,
-s528,
-s529,
-["Interest in tokens", "unicast", s530, 0.08917, 0, 1, "up", s525],
-["Interest of publishers", "unicast", s530, 0.08917, 1, 0.5, "up", s525],
-["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", s525],
-[s516, "unicast", s531, 0.05144, 0, 1, "up", s525],
-["Declare token", "unicast", s531, 0.05144, 1, 1, "up", s525],
-[s518, "unicast", s532, 0.5213, 0, 2, "up", s525],
-[s502, "unicast", s532, 0.5213, 1, 1.5, "up", s525],
-["Declare key expression of unmatched", "unicast", s532, 0.5213, 2, 0.5, "up", s525],
-["Frame up", "unicast", s533, 0.1456, 0, 1.417, "up", s525],
-["Frame of endpoints up", "unicast", s533, 0.1456, 1, 1.292, "up", s525],
-["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", s525],
-["Declare token of own node", "unicast", s534, 0.0309, 0, 1, "down", s525],
-["Declare own token", "unicast", s534, 0.0309, 1, 1, "down", s525],
-["Declare token of node passed on", "unicast", s534, 0.0309, 4, 1, "down", s525],
-["Declare token passed on", "unicast", s534, 0.0309, 5, 1, "down", s525],
-["Declare key expression of node passed on", "unicast", s535, 0.3319, 4, 1, "down", s525],
-["Declare key expression passed on", "unicast", s535, 0.3319, 5, 1, "down", s525],
-["Declare final", "unicast", s536, 0.06875, 0, 1, "down", s525],
-["Declare final to publishers", "unicast", s536, 0.06875, 1, 0.5, "down", s525],
-["Frame down", "unicast", s537, 0.1116, 0, 3.188, "down", s525],
-["Frame of endpoints down", "unicast", s537, 0.1116, 1, 1.206, "down", s525],
-["Frame of others down", "unicast", s537, 0.1116, 5, 0.025, "down", s525],
-["KeepAlive up", "unicast", 79, 1, 0, 1, "up", s539],
-s540,
-["TCP ACK up", "unicast", 76, 1, 0, 1, "up", s539],
-["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", s539],
-["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", s525],
-["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", s525],
-["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", s525],
-[s541, "unicast", 76, 1, 0, 4.104, "down", s525],
-[s542, "unicast", 76, 1, 1, 0.07292, "down", s525],
+["TCP SYN", "unicast", 76, 1, 0, 1, "up", s506],
+["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", s506],
+s507,
+s508,
+s509,
+s510,
+["Interest in tokens", "unicast", s511, 0.08917, 0, 1, "up", s506],
+["Interest of publishers", "unicast", s511, 0.08917, 1, 0.5, "up", s506],
+["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", s506],
+[s497, "unicast", s512, 0.05144, 0, 1, "up", s506],
+["Declare token", "unicast", s512, 0.05144, 1, 1, "up", s506],
+[s499, "unicast", s513, 0.5213, 0, 2, "up", s506],
+[s483, "unicast", s513, 0.5213, 1, 1.5, "up", s506],
+["Declare key expression of unmatched", "unicast", s513, 0.5213, 2, 0.5, "up", s506],
+["Frame up", "unicast", s514, 0.1456, 0, 1.417, "up", s506],
+["Frame of endpoints up", "unicast", s514, 0.1456, 1, 1.292, "up", s506],
+["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", s506],
+["Declare token of own node", "unicast", s515, 0.0309, 0, 1, "down", s506],
+["Declare own token", "unicast", s515, 0.0309, 1, 1, "down", s506],
+["Declare token of node passed on", "unicast", s515, 0.0309, 4, 1, "down", s506],
+["Declare token passed on", "unicast", s515, 0.0309, 5, 1, "down", s506],
+["Declare key expression of node passed on", "unicast", s516, 0.3319, 4, 1, "down", s506],
+["Declare key expression passed on", "unicast", s516, 0.3319, 5, 1, "down", s506],
+["Declare final", "unicast", s517, 0.06875, 0, 1, "down", s506],
+["Declare final to publishers", "unicast", s517, 0.06875, 1, 0.5, "down", s506],
+["Frame down", "unicast", s518, 0.1116, 0, 3.188, "down", s506],
+["Frame of endpoints down", "unicast", s518, 0.1116, 1, 1.206, "down", s506],
+["Frame of others down", "unicast", s518, 0.1116, 5, 0.025, "down", s506],
+["KeepAlive up", "unicast", 79, 1, 0, 1, "up", s520],
+s521,
+["TCP ACK up", "unicast", 76, 1, 0, 1, "up", s520],
+["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", s520],
+["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", s506],
+["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", s506],
+["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", s506],
+[s522, "unicast", 76, 1, 0, 4.104, "down", s506],
+[s523, "unicast", 76, 1, 1, 0.07292, "down", s506],
 ],
 },
 "Zenoh router per host": {
@@ -2904,59 +2819,59 @@ s540,
 "product": "Zenoh",
 "tables": {
 "any": [
-[s77, s182, s263, "Zenoh router per host, switching to Fast DDS with a Discovery Server", s174, s184],
-[s112, s185, s263, "Zenoh router per host, switching to Fast DDS with two Discovery Servers", s174, s187],
-[s110, s189, "", s110, s174, s190],
-["peers", s348, "", s151, s174, s349],
-[s100, s350, "", s154, s174, s351],
-["router", s169, "", "Zenoh router", s174, "router"],
-[s109, s176, "", s177, s174, s109],
-["middleware", s303, "", s2, s174, "middleware"],
-["middleware", s213, "", "Fast DDS 3.6", s174, "middleware"],
-["middleware", s207, "", s171, s174, "middleware"],
+[s77, s163, s244, "Zenoh router per host, switching to Fast DDS with a Discovery Server", s155, s165],
+[s101, s166, s244, "Zenoh router per host, switching to Fast DDS with two Discovery Servers", s155, s168],
+[s100, s170, "", s100, s155, s171],
+["peers", s329, "", s132, s155, s330],
+[s93, s331, "", s135, s155, s332],
+["router", s150, "", "Zenoh router", s155, "router"],
+[s99, s157, "", s158, s155, s99],
+["middleware", s284, "", s2, s155, "middleware"],
+["middleware", s194, "", "Fast DDS 3.6", s155, "middleware"],
+["middleware", s188, "", s152, s155, "middleware"],
 ],
 },
 "about": "a router on each host, as rmw_zenoh has it, linked with all others; processes meet their own host's on loopback (measured with 1.10.2)",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s521,
+"color": s502,
 "measured": [16, 16, 10],
 "band": [[1, 1, 1, "In 11 swarms within these sizes, left out of the fit, discovery took 0.84 to 1.25 times the predicted airtime (typical error 2%). We expect 83% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s522,
-"windows": s523,
-"units": [s309, [s543, s543, s543], [s544, s544, s544], s546, s547, s548, s307],
+"outlooks": s503,
+"windows": s504,
+"units": [s290, [s524, s524, s524], [s525, s525, s525], s527, s528, s529, s288],
 "degree": 4,
 "messages": [
-["TCP control", "unicast", 76, 1, 0, 1, "up down", s525],
-["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s525],
-["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s525],
-["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s525],
-["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s525],
-["OAM", "unicast", s549, 0.04144, 0, 2, "up down", s525],
-["OAM of third hosts", "unicast", s550, 0.03176, 1, 0.3843, "up down", s525],
-["OAM passed on", "unicast", s550, 0.03176, 2, 0.4715, "up down", s525],
-[s551, "unicast", s552, 0.8637, 0, 4.25, "up down", s525],
-["Frame of gossip passed on", "unicast", s552, 0.8637, 1, 1.6, "up down", s525],
-[s506, "unicast", s552, 0.8637, 3, 0.775, "up down", s525],
-["Declare", "unicast", s549, 0.004144, 4, 0.5, "up down", s525],
-[s553, "unicast", s549, 0.004144, 5, 0.5, "up down", s525],
-[s516, "unicast", s549, 0.004144, 6, 1, "up down", s525],
-["Declare token", "unicast", s549, 0.004144, 3, 1, "up down", s525],
-[s502, "unicast", s554, 0.1138, 4, 0.5, "up down", s525],
-[s504, "unicast", s554, 0.1138, 5, 0.2634, "up down", s525],
-[s555, "unicast", s554, 0.1138, 3, 1, "up down", s525],
-[s518, "unicast", s554, 0.1138, 6, 1, "up down", s525],
-["KeepAlive", "unicast", 79, 1, 0, 1, "up down", s539],
-["TCP ACK", "unicast", 76, 1, 0, 0.55, "up down", s539],
-[s509, "unicast", 76, 1, 0, 6.597, "up down", s525],
-["TCP ACK of gossip", "unicast", 76, 1, 1, 0.2278, "up down", s525],
-[s510, "unicast", 76, 1, 3, 0.1124, "up down", s525],
+["TCP control", "unicast", 76, 1, 0, 1, "up down", s506],
+["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s506],
+["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s506],
+["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s506],
+["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s506],
+["OAM", "unicast", s530, 0.04144, 0, 2, "up down", s506],
+["OAM of third hosts", "unicast", s531, 0.03176, 1, 0.3843, "up down", s506],
+["OAM passed on", "unicast", s531, 0.03176, 2, 0.4715, "up down", s506],
+[s532, "unicast", s533, 0.8637, 0, 4.25, "up down", s506],
+["Frame of gossip passed on", "unicast", s533, 0.8637, 1, 1.6, "up down", s506],
+[s487, "unicast", s533, 0.8637, 3, 0.775, "up down", s506],
+["Declare", "unicast", s530, 0.004144, 4, 0.5, "up down", s506],
+[s534, "unicast", s530, 0.004144, 5, 0.5, "up down", s506],
+[s497, "unicast", s530, 0.004144, 6, 1, "up down", s506],
+["Declare token", "unicast", s530, 0.004144, 3, 1, "up down", s506],
+[s483, "unicast", s535, 0.1138, 4, 0.5, "up down", s506],
+[s485, "unicast", s535, 0.1138, 5, 0.2634, "up down", s506],
+[s536, "unicast", s535, 0.1138, 3, 1, "up down", s506],
+[s499, "unicast", s535, 0.1138, 6, 1, "up down", s506],
+["KeepAlive", "unicast", 79, 1, 0, 1, "up down", s520],
+["TCP ACK", "unicast", 76, 1, 0, 0.55, "up down", s520],
+[s490, "unicast", 76, 1, 0, 6.597, "up down", s506],
+["TCP ACK of gossip", "unicast", 76, 1, 1, 0.2278, "up down", s506],
+[s491, "unicast", 76, 1, 3, 0.1124, "up down", s506],
 ],
 },
 "Zenoh router per host, star": {
@@ -2965,72 +2880,72 @@ s540,
 "product": "Zenoh",
 "tables": {
 "any": [
-[s77, s182, s263, "Zenoh router per host, star, switching to Fast DDS with a Discovery Server", s177, s184],
-[s112, s185, s263, "Zenoh router per host, star, switching to Fast DDS with two Discovery Servers", s177, s187],
-[s110, s189, "", s110, s177, s190],
-["peers", s348, "", s151, s177, s349],
-[s100, s350, "", s154, s177, s351],
-["router", s169, "", "Zenoh router", s177, "router"],
-[s106, s173, "", s174, s177, s106],
-["middleware", s303, "", s2, s177, "middleware"],
-["middleware", s213, "", "Fast DDS 3.6", s177, "middleware"],
-["middleware", s207, "", s171, s177, "middleware"],
+[s77, s163, s244, "Zenoh router per host, star, switching to Fast DDS with a Discovery Server", s158, s165],
+[s101, s166, s244, "Zenoh router per host, star, switching to Fast DDS with two Discovery Servers", s158, s168],
+[s100, s170, "", s100, s158, s171],
+["peers", s329, "", s132, s158, s330],
+[s93, s331, "", s135, s158, s332],
+["router", s150, "", "Zenoh router", s158, "router"],
+[s96, s154, "", s155, s158, s96],
+["middleware", s284, "", s2, s158, "middleware"],
+["middleware", s194, "", "Fast DDS 3.6", s158, "middleware"],
+["middleware", s188, "", s152, s158, "middleware"],
 ],
 },
 "about": "a router on each host, as rmw_zenoh has it, linked with one router that is wired to the access point; processes meet their own host's on loopback (measured with 1.10.2)",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": true,
-"color": s521,
+"color": s502,
 "measured": [16, 16, 10],
 "band": [[1, 1, 1, "In 6 swarms within these sizes, left out of the fit, discovery took 0.85 to 1.18 times the predicted airtime (typical error 15%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s522,
-"windows": s523,
-"units": [s453, s309, s360, s524, [s225, {"count": "count38", "more": ["more90", "more86"]}, {"count": "count39", "more": ["more91", "more89"]}], s163, s307, s547, s548, s546, s455],
+"outlooks": s503,
+"windows": s504,
+"units": [s434, s290, s341, s505, [s206, {"count": "count38", "more": ["more90", "more86"]}, {"count": "count39", "more": ["more91", "more89"]}], s144, s288, s528, s529, s527, s436],
 "degree": 2,
 "messages": [
-["TCP control", "unicast", 76, 1, 0, 1, "up", s525],
-["TCP control down", "unicast", 76, 1, 0, 1, "down", s525],
-s526,
-s527,
-s528,
-s529,
-["OAM", "unicast", s556, 0.03601, 0, 2, "up", s525],
-["OAM of others", "unicast", s556, 0.03601, 1, 1.045, "up", s525],
-[s551, "unicast", s557, 0.8894, 0, 12.18, "up", s525],
-[s506, "unicast", s557, 0.8894, 2, 0.4077, "up", s525],
-["Declare", "unicast", s549, 0.004144, 3, 0.5, "up", s525],
-[s553, "unicast", s549, 0.004144, 4, 0.5, "up", s525],
-[s516, "unicast", s549, 0.004144, 5, 1, "up", s525],
-["Declare token", "unicast", s549, 0.004144, 2, 1, "up", s525],
-[s502, "unicast", s558, 0.1159, 3, 0.5, "up", s525],
-[s504, "unicast", s558, 0.1159, 4, 0.1042, "up", s525],
-[s555, "unicast", s558, 0.1159, 2, 1, "up", s525],
-[s518, "unicast", s558, 0.1159, 5, 1, "up", s525],
-["KeepAlive", "unicast", 79, 1, 0, 1, "up", s539],
-["TCP ACK", "unicast", 76, 1, 0, 1, "up", s539],
-[s509, "unicast", 76, 1, 0, 3.783, "up", s525],
-["TCP ACK of processes", "unicast", 76, 1, 6, 1.217, "up", s525],
-["OAM down", "unicast", s559, 0.04874, 0, 2, "down", s525],
-["OAM of others down", "unicast", s559, 0.04874, 1, 1.045, "down", s525],
-["Frame of gossip down", "unicast", 87.23315027458811, 0.8012, 0, 26.88, "down", s525],
-["Declare down", "unicast", s560, 0.005525, 7, 0.5, "down", s525],
-["Declare of matching down", "unicast", s560, 0.005525, 8, 0.5, "down", s525],
-["Declare token of node down", "unicast", s560, 0.005525, 6, 1, "down", s525],
-["Declare token down", "unicast", s560, 0.005525, 9, 1, "down", s525],
-["Declare key expression down", "unicast", s558, 0.1159, 7, 0.5, "down", s525],
-["Declare key expression of matching down", "unicast", s558, 0.1159, 8, 0.0625, "down", s525],
-["Declare key expression of tokens down", "unicast", s558, 0.1159, 9, 1, "down", s525],
-["Declare key expression of node down", "unicast", s558, 0.1159, 6, 1, "down", s525],
-s540,
-["TCP ACK down", "unicast", 76, 1, 10, 1, "down", s539],
-[s541, "unicast", 76, 1, 0, 4.958, "down", s525],
-[s542, "unicast", 76, 1, 2, 0.1354, "down", s525],
+["TCP control", "unicast", 76, 1, 0, 1, "up", s506],
+["TCP control down", "unicast", 76, 1, 0, 1, "down", s506],
+s507,
+s508,
+s509,
+s510,
+["OAM", "unicast", s537, 0.03601, 0, 2, "up", s506],
+["OAM of others", "unicast", s537, 0.03601, 1, 1.045, "up", s506],
+[s532, "unicast", s538, 0.8894, 0, 12.18, "up", s506],
+[s487, "unicast", s538, 0.8894, 2, 0.4077, "up", s506],
+["Declare", "unicast", s530, 0.004144, 3, 0.5, "up", s506],
+[s534, "unicast", s530, 0.004144, 4, 0.5, "up", s506],
+[s497, "unicast", s530, 0.004144, 5, 1, "up", s506],
+["Declare token", "unicast", s530, 0.004144, 2, 1, "up", s506],
+[s483, "unicast", s539, 0.1159, 3, 0.5, "up", s506],
+[s485, "unicast", s539, 0.1159, 4, 0.1042, "up", s506],
+[s536, "unicast", s539, 0.1159, 2, 1, "up", s506],
+[s499, "unicast", s539, 0.1159, 5, 1, "up", s506],
+["KeepAlive", "unicast", 79, 1, 0, 1, "up", s520],
+["TCP ACK", "unicast", 76, 1, 0, 1, "up", s520],
+[s490, "unicast", 76, 1, 0, 3.783, "up", s506],
+["TCP ACK of processes", "unicast", 76, 1, 6, 1.217, "up", s506],
+["OAM down", "unicast", s540, 0.04874, 0, 2, "down", s506],
+["OAM of others down", "unicast", s540, 0.04874, 1, 1.045, "down", s506],
+["Frame of gossip down", "unicast", 87.23315027458811, 0.8012, 0, 26.88, "down", s506],
+["Declare down", "unicast", s541, 0.005525, 7, 0.5, "down", s506],
+["Declare of matching down", "unicast", s541, 0.005525, 8, 0.5, "down", s506],
+["Declare token of node down", "unicast", s541, 0.005525, 6, 1, "down", s506],
+["Declare token down", "unicast", s541, 0.005525, 9, 1, "down", s506],
+["Declare key expression down", "unicast", s539, 0.1159, 7, 0.5, "down", s506],
+["Declare key expression of matching down", "unicast", s539, 0.1159, 8, 0.0625, "down", s506],
+["Declare key expression of tokens down", "unicast", s539, 0.1159, 9, 1, "down", s506],
+["Declare key expression of node down", "unicast", s539, 0.1159, 6, 1, "down", s506],
+s521,
+["TCP ACK down", "unicast", 76, 1, 10, 1, "down", s520],
+[s522, "unicast", 76, 1, 0, 4.958, "down", s506],
+[s523, "unicast", 76, 1, 2, 0.1354, "down", s506],
 ],
 },
 "Zenoh, static peers": {
@@ -3040,272 +2955,272 @@ s540,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s179,
+"color": s160,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": Infinity,
 "repeats": false,
-"outlooks": s160,
-"windows": s161,
-"units": s561,
+"outlooks": s141,
+"windows": s142,
+"units": s542,
 "degree": 2,
-"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s168], s181],
+"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s149], s162],
 },
-"Fast DDS 2.14 Discovery Server": s562,
-"Fast DDS 2.14 Discovery Server, two": s563,
+"Fast DDS 2.14 Discovery Server": s543,
+"Fast DDS 2.14 Discovery Server, two": s544,
 "Cyclone DDS, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {"any": []},
-"about": s214,
-"caution": s215,
-"ratios": s216,
-"server_ratios": s156,
+"about": s195,
+"caution": s196,
+"ratios": s197,
+"server_ratios": s137,
 "has_server": false,
-"color": s217,
+"color": s198,
 "measured": [8, 12, 60],
-"band": s218,
+"band": s199,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s564,
-"windows": s565,
-"units": s227,
+"outlooks": s545,
+"windows": s546,
+"units": s208,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 420, 1, 0, 1, "up down", s566],
-["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s567],
-["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s568],
-["SEDP", "unicast", s231, 0.2218, 2, 1, "up down", s569],
-["SEDP again", "unicast", s231, 0.2218, 3, 0.103, "up down", s569],
-["Heartbeat", "unicast", s233, 0.5226, 1, 2, "up down", s569],
-[s234, "unicast", s233, 0.5226, 1, 2.481, "up down", s569],
-["ACKNACK", "unicast", s235, 0.402, 1, 4.635, "up down", s569],
-[s236, "unicast", s235, 0.402, 4, 0.09896, "up down", s569],
-s572,
-[s240, "unicast", s241, 0.6253, 1, 1, "up down", s569],
-[s242, "unicast", s241, 0.6253, 4, 0.1067, "up down", s569],
-s573,
-[s246, "unicast", s247, 0.4544, 1, 2.222, "up down", s569],
-s574,
-[s250, "unicast", s251, 0.3044, 1, 2.312, "up down", s569],
-[s252, "unicast", s251, 0.3044, 4, 0.05208, "up down", s569],
-[s253, "unicast", s254, 0.6806, 1, 2.333, "up down", s569],
-[s255, "unicast", s256, 0.2641, 1, 2, "up down", s569],
-[s257, "unicast", s256, 0.2641, 4, 0.2188, "up down", s569],
-[s258, "unicast", s259, 0.6247, 5, 1.006, "up down", s569],
-[s260, "unicast", s259, 0.6247, 6, 0.07217, "up down", s569],
-["User ACKNACK", "unicast", s261, 0.338, 5, 1.404, "up down", s569],
-[s262, "unicast", s261, 0.338, 6, 0.09793, "up down", s569],
+["SPDP", "multicast", 420, 1, 0, 1, "up down", s547],
+["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s548],
+["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s549],
+["SEDP", "unicast", s212, 0.2218, 2, 1, "up down", s550],
+["SEDP again", "unicast", s212, 0.2218, 3, 0.103, "up down", s550],
+["Heartbeat", "unicast", s214, 0.5226, 1, 2, "up down", s550],
+[s215, "unicast", s214, 0.5226, 1, 2.481, "up down", s550],
+["ACKNACK", "unicast", s216, 0.402, 1, 4.635, "up down", s550],
+[s217, "unicast", s216, 0.402, 4, 0.09896, "up down", s550],
+s553,
+[s221, "unicast", s222, 0.6253, 1, 1, "up down", s550],
+[s223, "unicast", s222, 0.6253, 4, 0.1067, "up down", s550],
+s554,
+[s227, "unicast", s228, 0.4544, 1, 2.222, "up down", s550],
+s555,
+[s231, "unicast", s232, 0.3044, 1, 2.312, "up down", s550],
+[s233, "unicast", s232, 0.3044, 4, 0.05208, "up down", s550],
+[s234, "unicast", s235, 0.6806, 1, 2.333, "up down", s550],
+[s236, "unicast", s237, 0.2641, 1, 2, "up down", s550],
+[s238, "unicast", s237, 0.2641, 4, 0.2188, "up down", s550],
+[s239, "unicast", s240, 0.6247, 5, 1.006, "up down", s550],
+[s241, "unicast", s240, 0.6247, 6, 0.07217, "up down", s550],
+["User ACKNACK", "unicast", s242, 0.338, 5, 1.404, "up down", s550],
+[s243, "unicast", s242, 0.338, 6, 0.09793, "up down", s550],
 ],
 },
-"Fast DDS 2.6 Discovery Server": s562,
-"Fast DDS 2.6 Discovery Server, two": s563,
-"Fast DDS 3.6 Discovery Server": s562,
-"Fast DDS 3.6 Discovery Server, two": s563,
-"Cyclone DDS, wired, switching to Fast DDS with a Discovery Server": s576,
-"Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers": s577,
+"Fast DDS 2.6 Discovery Server": s543,
+"Fast DDS 2.6 Discovery Server, two": s544,
+"Fast DDS 3.6 Discovery Server": s543,
+"Fast DDS 3.6 Discovery Server, two": s544,
+"Cyclone DDS, wired, switching to Fast DDS with a Discovery Server": s557,
+"Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers": s558,
 "Cyclone DDS, wired, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {"any": []},
-"about": s266,
-"caution": s215,
-"ratios": s216,
-"server_ratios": s156,
+"about": s247,
+"caution": s196,
+"ratios": s197,
+"server_ratios": s137,
 "has_server": false,
-"color": s217,
+"color": s198,
 "measured": [8, 12, 20],
-"band": s267,
+"band": s248,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s564,
-"windows": s565,
-"units": s268,
+"outlooks": s545,
+"windows": s546,
+"units": s249,
 "degree": 3,
 "messages": [
-s578,
-["SPDP directed", "unicast", s270, 0.9963, 1, 0.6667, "up down", s568],
-["SEDP", "unicast", s271, 0.1841, 2, 0.5833, "up down", s569],
-[s272, "multicast", s273, 0.2228, 2, 0.1667, "up down", s569],
-[s274, "multicast", 232, 0.25, 0, 2, "up down", s569],
-["Heartbeat", "unicast", s275, 0.3287, 1, 3, "up down", s569],
-["ACKNACK", "unicast", s276, 0.3715, 1, 4.05, "up down", s569],
-[s236, "unicast", s276, 0.3715, 3, 0.2833, "up down", s569],
-["Liveliness", "multicast", s237, 0.7242, 0, 1, "up down", s571],
-[s240, "multicast", s277, 0.9582, 0, 0.3333, "up down", s569],
-[s278, "unicast", 429, 0.2, 1, 0.5, "up down", s569],
-[s243, "multicast", s244, 0.2758, 0, 1, "up down", s571],
-[s246, "multicast", s279, 0.1767, 0, 0.875, "up down", s569],
-[s280, "unicast", s281, 0.2117, 1, 1.625, "up down", s569],
-s574,
-[s250, "unicast", s282, 0.2807, 1, 2.344, "up down", s569],
-[s252, "unicast", s282, 0.2807, 3, 0.07812, "up down", s569],
-[s253, "multicast", s283, 0.1988, 0, 2, "up down", s569],
-[s284, "unicast", s285, 0.1917, 1, 0.6667, "up down", s569],
-[s255, "unicast", 211.5, 0.2, 1, 2, "up down", s569],
-[s257, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s569],
-[s258, "unicast", s286, 0.2427, 4, 0.75, "up down", s569],
-[s287, "multicast", s288, 0.2152, 4, 0.25, "up down", s569],
-["User ACKNACK", "unicast", s289, 0.2283, 4, 2, "up down", s569],
+s559,
+["SPDP directed", "unicast", s251, 0.9963, 1, 0.6667, "up down", s549],
+["SEDP", "unicast", s252, 0.1841, 2, 0.5833, "up down", s550],
+[s253, "multicast", s254, 0.2228, 2, 0.1667, "up down", s550],
+[s255, "multicast", 232, 0.25, 0, 2, "up down", s550],
+["Heartbeat", "unicast", s256, 0.3287, 1, 3, "up down", s550],
+["ACKNACK", "unicast", s257, 0.3715, 1, 4.05, "up down", s550],
+[s217, "unicast", s257, 0.3715, 3, 0.2833, "up down", s550],
+["Liveliness", "multicast", s218, 0.7242, 0, 1, "up down", s552],
+[s221, "multicast", s258, 0.9582, 0, 0.3333, "up down", s550],
+[s259, "unicast", 429, 0.2, 1, 0.5, "up down", s550],
+[s224, "multicast", s225, 0.2758, 0, 1, "up down", s552],
+[s227, "multicast", s260, 0.1767, 0, 0.875, "up down", s550],
+[s261, "unicast", s262, 0.2117, 1, 1.625, "up down", s550],
+s555,
+[s231, "unicast", s263, 0.2807, 1, 2.344, "up down", s550],
+[s233, "unicast", s263, 0.2807, 3, 0.07812, "up down", s550],
+[s234, "multicast", s264, 0.1988, 0, 2, "up down", s550],
+[s265, "unicast", s266, 0.1917, 1, 0.6667, "up down", s550],
+[s236, "unicast", 211.5, 0.2, 1, 2, "up down", s550],
+[s238, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s550],
+[s239, "unicast", s267, 0.2427, 4, 0.75, "up down", s550],
+[s268, "multicast", s269, 0.2152, 4, 0.25, "up down", s550],
+["User ACKNACK", "unicast", s270, 0.2283, 4, 2, "up down", s550],
 ],
 },
-"Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server": s576,
-"Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers": s577,
+"Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server": s557,
+"Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers": s558,
 "Cyclone DDS, version 11, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {"any": []},
-"about": s290,
-"caution": s215,
-"ratios": s216,
-"server_ratios": s156,
+"about": s271,
+"caution": s196,
+"ratios": s197,
+"server_ratios": s137,
 "has_server": false,
-"color": s217,
+"color": s198,
 "measured": [8, 12, 60],
-"band": s291,
+"band": s272,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s564,
-"windows": s565,
-"units": s227,
+"outlooks": s545,
+"windows": s546,
+"units": s208,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 432, 1, 0, 1, "up down", s566],
-["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s567],
-["SPDP directed", "unicast", s292, 0.9992, 1, 0.5413, "up down", s568],
-["SEDP", "unicast", s293, 0.4598, 2, 1, "up down", s569],
-["SEDP again", "unicast", s293, 0.4598, 3, 0.09093, "up down", s569],
-["Heartbeat", "unicast", s294, 0.5475, 1, 2, "up down", s569],
-[s234, "unicast", s294, 0.5475, 1, 2.833, "up down", s569],
-["ACKNACK", "unicast", s295, 0.3982, 1, 5.167, "up down", s569],
-[s236, "unicast", s295, 0.3982, 4, 0.125, "up down", s569],
-s572,
-[s240, "unicast", s296, 0.6519, 1, 1, "up down", s569],
-[s242, "unicast", s296, 0.6519, 4, 0.09103, "up down", s569],
-s573,
-[s246, "unicast", s297, 0.4401, 1, 2.188, "up down", s569],
-s574,
-[s250, "unicast", s298, 0.2753, 1, 2.278, "up down", s569],
-[s252, "unicast", s298, 0.2753, 4, 0.05556, "up down", s569],
-[s253, "unicast", s299, 0.6399, 1, 2.542, "up down", s569],
-[s255, "unicast", s300, 0.2385, 1, 2, "up down", s569],
-[s257, "unicast", s300, 0.2385, 4, 0.1997, "up down", s569],
-[s258, "unicast", s301, 0.6975, 5, 1.06, "up down", s569],
-[s260, "unicast", s301, 0.6975, 6, 0.06995, "up down", s569],
-["User ACKNACK", "unicast", s302, 0.4362, 5, 1.562, "up down", s569],
-[s262, "unicast", s302, 0.4362, 6, 0.09399, "up down", s569],
+["SPDP", "multicast", 432, 1, 0, 1, "up down", s547],
+["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s548],
+["SPDP directed", "unicast", s273, 0.9992, 1, 0.5413, "up down", s549],
+["SEDP", "unicast", s274, 0.4598, 2, 1, "up down", s550],
+["SEDP again", "unicast", s274, 0.4598, 3, 0.09093, "up down", s550],
+["Heartbeat", "unicast", s275, 0.5475, 1, 2, "up down", s550],
+[s215, "unicast", s275, 0.5475, 1, 2.833, "up down", s550],
+["ACKNACK", "unicast", s276, 0.3982, 1, 5.167, "up down", s550],
+[s217, "unicast", s276, 0.3982, 4, 0.125, "up down", s550],
+s553,
+[s221, "unicast", s277, 0.6519, 1, 1, "up down", s550],
+[s223, "unicast", s277, 0.6519, 4, 0.09103, "up down", s550],
+s554,
+[s227, "unicast", s278, 0.4401, 1, 2.188, "up down", s550],
+s555,
+[s231, "unicast", s279, 0.2753, 1, 2.278, "up down", s550],
+[s233, "unicast", s279, 0.2753, 4, 0.05556, "up down", s550],
+[s234, "unicast", s280, 0.6399, 1, 2.542, "up down", s550],
+[s236, "unicast", s281, 0.2385, 1, 2, "up down", s550],
+[s238, "unicast", s281, 0.2385, 4, 0.1997, "up down", s550],
+[s239, "unicast", s282, 0.6975, 5, 1.06, "up down", s550],
+[s241, "unicast", s282, 0.6975, 6, 0.06995, "up down", s550],
+["User ACKNACK", "unicast", s283, 0.4362, 5, 1.562, "up down", s550],
+[s243, "unicast", s283, 0.4362, 6, 0.09399, "up down", s550],
 ],
 },
-"Cyclone DDS peers, switching to Fast DDS with a Discovery Server": s576,
-"Cyclone DDS peers, switching to Fast DDS with two Discovery Servers": s577,
+"Cyclone DDS peers, switching to Fast DDS with a Discovery Server": s557,
+"Cyclone DDS peers, switching to Fast DDS with two Discovery Servers": s558,
 "Cyclone DDS peers, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {"any": []},
-"about": s304,
-"caution": s215,
-"ratios": s216,
-"server_ratios": s156,
+"about": s285,
+"caution": s196,
+"ratios": s197,
+"server_ratios": s137,
 "has_server": false,
-"color": s217,
+"color": s198,
 "measured": [8, 12, 10],
-"band": s305,
+"band": s286,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s564,
-"windows": s565,
-"units": s310,
+"outlooks": s545,
+"windows": s546,
+"units": s291,
 "degree": 3,
 "messages": [
-["SPDP", "unicast", 420, 1, 0, 9, "up down", s566],
-[s311, "unicast", 448, 1, 1, 6, "up down", {"burst": 1, "second": 1.125, "lease": 0.135, "ever": 0.125}],
-["SPDP directed", "unicast", s313, 0.9817, 2, 0.8333, "up down", s568],
-["SEDP", "unicast", s314, 0.172, 3, 1, "up down", s569],
-["SEDP again", "unicast", s315, 0.8001, 4, 0.08633, "up down", s569],
-["Heartbeat", "unicast", s316, 0.5756, 2, 2, "up down", s569],
-[s234, "unicast", s316, 0.5756, 2, 2.944, "up down", s569],
-["ACKNACK", "unicast", s317, 0.3827, 2, 4.424, "up down", s569],
-[s236, "unicast", s317, 0.3827, 5, 0.2049, "up down", s569],
-["Liveliness", "unicast", s318, 0.7241, 2, 1, "up down", s571],
-[s240, "unicast", s319, 0.7527, 2, 1, "up down", s569],
-[s242, "unicast", s319, 0.7527, 5, 0.08333, "up down", s569],
-[s243, "unicast", s320, 0.2759, 2, 1, "up down", s571],
-[s246, "unicast", s321, 0.4258, 2, 2.556, "up down", s569],
-[s248, "unicast", 128, 1, 2, 1, "up down", s571],
-[s250, "unicast", s322, 0.265, 2, 2.296, "up down", s569],
-[s252, "unicast", s322, 0.265, 5, 0.09271, "up down", s569],
-[s253, "unicast", s323, 0.6431, 2, 3, "up down", s569],
-[s255, "unicast", s324, 0.283, 2, 2, "up down", s569],
-[s257, "unicast", s324, 0.283, 5, 0.3631, "up down", s569],
-[s258, "unicast", s325, 0.5405, 6, 1.542, "up down", s569],
-["User ACKNACK", "unicast", s326, 0.437, 6, 2.208, "up down", s569],
+["SPDP", "unicast", 420, 1, 0, 9, "up down", s547],
+[s292, "unicast", 448, 1, 1, 6, "up down", {"burst": 1, "second": 1.125, "lease": 0.135, "ever": 0.125}],
+["SPDP directed", "unicast", s294, 0.9817, 2, 0.8333, "up down", s549],
+["SEDP", "unicast", s295, 0.172, 3, 1, "up down", s550],
+["SEDP again", "unicast", s296, 0.8001, 4, 0.08633, "up down", s550],
+["Heartbeat", "unicast", s297, 0.5756, 2, 2, "up down", s550],
+[s215, "unicast", s297, 0.5756, 2, 2.944, "up down", s550],
+["ACKNACK", "unicast", s298, 0.3827, 2, 4.424, "up down", s550],
+[s217, "unicast", s298, 0.3827, 5, 0.2049, "up down", s550],
+["Liveliness", "unicast", s299, 0.7241, 2, 1, "up down", s552],
+[s221, "unicast", s300, 0.7527, 2, 1, "up down", s550],
+[s223, "unicast", s300, 0.7527, 5, 0.08333, "up down", s550],
+[s224, "unicast", s301, 0.2759, 2, 1, "up down", s552],
+[s227, "unicast", s302, 0.4258, 2, 2.556, "up down", s550],
+[s229, "unicast", 128, 1, 2, 1, "up down", s552],
+[s231, "unicast", s303, 0.265, 2, 2.296, "up down", s550],
+[s233, "unicast", s303, 0.265, 5, 0.09271, "up down", s550],
+[s234, "unicast", s304, 0.6431, 2, 3, "up down", s550],
+[s236, "unicast", s305, 0.283, 2, 2, "up down", s550],
+[s238, "unicast", s305, 0.283, 5, 0.3631, "up down", s550],
+[s239, "unicast", s306, 0.5405, 6, 1.542, "up down", s550],
+["User ACKNACK", "unicast", s307, 0.437, 6, 2.208, "up down", s550],
 ],
 },
-"Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server": s576,
-"Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers": s577,
+"Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server": s557,
+"Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers": s558,
 "Cyclone DDS multicast SEDP, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {"any": []},
-"about": s327,
-"caution": s215,
-"ratios": s216,
-"server_ratios": s156,
+"about": s308,
+"caution": s196,
+"ratios": s197,
+"server_ratios": s137,
 "has_server": false,
-"color": s217,
+"color": s198,
 "measured": [8, 12, 10],
-"band": s328,
+"band": s309,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s564,
-"windows": s565,
-"units": s268,
+"outlooks": s545,
+"windows": s546,
+"units": s249,
 "degree": 3,
 "messages": [
-s578,
-["SPDP directed", "unicast", s329, 0.9988, 1, 0.8, "up down", s568],
-["SEDP", "unicast", s330, 0.2085, 2, 0.3719, "up down", s569],
-[s272, "multicast", s331, 0.2222, 2, 0.23, "up down", s569],
-[s274, "multicast", s332, 0.28, 0, 1.833, "up down", s569],
-["Heartbeat", "unicast", s333, 0.3143, 1, 3.333, "up down", s569],
-["ACKNACK", "unicast", s334, 0.3558, 1, 4.517, "up down", s569],
-[s236, "unicast", s334, 0.3558, 3, 0.1494, "up down", s569],
-["Liveliness", "multicast", s335, 0.724, 0, 1, "up down", s571],
-[s240, "multicast", s336, 0.9539, 0, 0.8333, "up down", s569],
-[s278, "unicast", s337, 0.15, 1, 0.5, "up down", s569],
-[s243, "multicast", s338, 0.276, 0, 1, "up down", s571],
-[s246, "multicast", s339, 0.2328, 0, 1, "up down", s569],
-[s280, "unicast", s340, 0.2318, 1, 1.75, "up down", s569],
-s574,
-[s250, "unicast", s341, 0.2856, 1, 2.379, "up down", s569],
-[s252, "unicast", s341, 0.2856, 3, 0.08854, "up down", s569],
-[s253, "multicast", s342, 0.2325, 0, 2, "up down", s569],
-[s284, "unicast", s343, 0.1726, 1, 1.167, "up down", s569],
-[s255, "unicast", s344, 0.2088, 1, 2, "up down", s569],
-[s257, "unicast", s344, 0.2088, 3, 0.3274, "up down", s569],
-[s258, "unicast", s345, 0.4167, 4, 0.7917, "up down", s569],
-[s287, "multicast", s346, 0.6667, 4, 0.1667, "up down", s569],
-["User ACKNACK", "unicast", s347, 0.4167, 4, 2.167, "up down", s569],
+s559,
+["SPDP directed", "unicast", s310, 0.9988, 1, 0.8, "up down", s549],
+["SEDP", "unicast", s311, 0.2085, 2, 0.3719, "up down", s550],
+[s253, "multicast", s312, 0.2222, 2, 0.23, "up down", s550],
+[s255, "multicast", s313, 0.28, 0, 1.833, "up down", s550],
+["Heartbeat", "unicast", s314, 0.3143, 1, 3.333, "up down", s550],
+["ACKNACK", "unicast", s315, 0.3558, 1, 4.517, "up down", s550],
+[s217, "unicast", s315, 0.3558, 3, 0.1494, "up down", s550],
+["Liveliness", "multicast", s316, 0.724, 0, 1, "up down", s552],
+[s221, "multicast", s317, 0.9539, 0, 0.8333, "up down", s550],
+[s259, "unicast", s318, 0.15, 1, 0.5, "up down", s550],
+[s224, "multicast", s319, 0.276, 0, 1, "up down", s552],
+[s227, "multicast", s320, 0.2328, 0, 1, "up down", s550],
+[s261, "unicast", s321, 0.2318, 1, 1.75, "up down", s550],
+s555,
+[s231, "unicast", s322, 0.2856, 1, 2.379, "up down", s550],
+[s233, "unicast", s322, 0.2856, 3, 0.08854, "up down", s550],
+[s234, "multicast", s323, 0.2325, 0, 2, "up down", s550],
+[s265, "unicast", s324, 0.1726, 1, 1.167, "up down", s550],
+[s236, "unicast", s325, 0.2088, 1, 2, "up down", s550],
+[s238, "unicast", s325, 0.2088, 3, 0.3274, "up down", s550],
+[s239, "unicast", s326, 0.4167, 4, 0.7917, "up down", s550],
+[s268, "multicast", s327, 0.6667, 4, 0.1667, "up down", s550],
+["User ACKNACK", "unicast", s328, 0.4167, 4, 2.167, "up down", s550],
 ],
 },
 "Fast DDS, a longer announcement interval": {
@@ -3313,39 +3228,39 @@ s574,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s411,
+"about": s392,
 "caution": "",
-"ratios": s402,
-"server_ratios": s156,
+"ratios": s383,
+"server_ratios": s137,
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [8, 12, 60],
-"band": s412,
+"band": s393,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s564,
-"windows": s565,
-"units": s415,
+"outlooks": s545,
+"windows": s546,
+"units": s396,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 580, 1, 0, 1, "up down", s580],
-[s416, "multicast", 580, 1, 1, 1, "up down", s569],
-["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s581],
-[s420, "unicast", 580, 1, 2, 1, "up down", s569],
-[s421, "unicast", 580, 1, 3, 0.5, "up down", s569],
-["SEDP", "unicast", s422, 0.6, 4, 1, "up down", s569],
-["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s569],
-[s234, "unicast", 184.3, 1, 2, 1.65, "up down", s569],
-[s423, "unicast", 184.3, 1, 3, 0.4252, "up down", s569],
-["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s569],
-[s424, "unicast", 189.4, 1, 2, 2.072, "up down", s569],
-[s236, "unicast", 189.4, 1, 3, 0.2616, "up down", s569],
-[s243, "unicast", 192, 1, 2, 1.148, "up down", s569],
-[s248, "unicast", 188, 1, 2, 1.148, "up down", s569],
-[s258, "unicast", 192, 1, 5, 1.4, "up down", s569],
-["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s569],
+["SPDP", "multicast", 580, 1, 0, 1, "up down", s561],
+[s397, "multicast", 580, 1, 1, 1, "up down", s550],
+["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s562],
+[s401, "unicast", 580, 1, 2, 1, "up down", s550],
+[s402, "unicast", 580, 1, 3, 0.5, "up down", s550],
+["SEDP", "unicast", s403, 0.6, 4, 1, "up down", s550],
+["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s550],
+[s215, "unicast", 184.3, 1, 2, 1.65, "up down", s550],
+[s404, "unicast", 184.3, 1, 3, 0.4252, "up down", s550],
+["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s550],
+[s405, "unicast", 189.4, 1, 2, 2.072, "up down", s550],
+[s217, "unicast", 189.4, 1, 3, 0.2616, "up down", s550],
+[s224, "unicast", 192, 1, 2, 1.148, "up down", s550],
+[s229, "unicast", 188, 1, 2, 1.148, "up down", s550],
+[s239, "unicast", 192, 1, 5, 1.4, "up down", s550],
+["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s550],
 ],
 },
 "Fast DDS 2.6, a longer announcement interval": {
@@ -3355,42 +3270,42 @@ s574,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s402,
-"server_ratios": s156,
+"ratios": s383,
+"server_ratios": s137,
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [10, 20, 42],
-"band": s426,
+"band": s407,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s564,
-"windows": s565,
-"units": s415,
+"outlooks": s545,
+"windows": s546,
+"units": s396,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 344, 1, 0, 1, "up down", s580],
-[s416, "multicast", 344, 1, 1, 1, "up down", s569],
-["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s581],
-[s420, "unicast", 344, 1, 2, 1, "up down", s569],
-[s421, "unicast", 344, 1, 3, 0.5, "up down", s569],
-["SEDP", "unicast", s427, 0.6287, 4, 1, "up down", s569],
-["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s569],
-[s234, "unicast", 118.85, 1, 2, 3.274, "up down", s569],
-[s423, "unicast", 118.85, 1, 3, 0.4879, "up down", s569],
-["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s569],
-[s424, "unicast", 129.22, 1, 2, 1.884, "up down", s569],
-[s236, "unicast", 129.22, 1, 3, 0.3703, "up down", s569],
-[s243, "unicast", 132, 1, 2, 1.125, "up down", s569],
-[s248, "unicast", 128, 1, 2, 1.167, "up down", s569],
-[s258, "unicast", 125.14, 1, 5, 1.575, "up down", s569],
-["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s569],
-[s428, "unicast", 501.7, 1, 2, 1.685, "up down", s569],
-["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s569],
-[s429, "unicast", 125.14, 1, 3, 0.1534, "up down", s569],
-["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s569],
-[s430, "unicast", 128.35, 1, 3, 0.1351, "up down", s569],
+["SPDP", "multicast", 344, 1, 0, 1, "up down", s561],
+[s397, "multicast", 344, 1, 1, 1, "up down", s550],
+["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s562],
+[s401, "unicast", 344, 1, 2, 1, "up down", s550],
+[s402, "unicast", 344, 1, 3, 0.5, "up down", s550],
+["SEDP", "unicast", s408, 0.6287, 4, 1, "up down", s550],
+["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s550],
+[s215, "unicast", 118.85, 1, 2, 3.274, "up down", s550],
+[s404, "unicast", 118.85, 1, 3, 0.4879, "up down", s550],
+["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s550],
+[s405, "unicast", 129.22, 1, 2, 1.884, "up down", s550],
+[s217, "unicast", 129.22, 1, 3, 0.3703, "up down", s550],
+[s224, "unicast", 132, 1, 2, 1.125, "up down", s550],
+[s229, "unicast", 128, 1, 2, 1.167, "up down", s550],
+[s239, "unicast", 125.14, 1, 5, 1.575, "up down", s550],
+["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s550],
+[s409, "unicast", 501.7, 1, 2, 1.685, "up down", s550],
+["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s550],
+[s410, "unicast", 125.14, 1, 3, 0.1534, "up down", s550],
+["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s550],
+[s411, "unicast", 128.35, 1, 3, 0.1351, "up down", s550],
 ],
 },
 "Fast DDS 2.14, a longer announcement interval": {
@@ -3400,42 +3315,42 @@ s574,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s402,
-"server_ratios": s156,
+"ratios": s383,
+"server_ratios": s137,
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [10, 20, 42],
-"band": s431,
+"band": s412,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s564,
-"windows": s565,
-"units": s432,
+"outlooks": s545,
+"windows": s546,
+"units": s413,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 560, 1, 0, 1, "up down", s580],
-["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s581],
-[s420, "unicast", 560, 1, 1, 1, "up down", s569],
-["SEDP", "unicast", s433, 0.6008, 2, 1, "up down", s569],
-["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s569],
-[s234, "unicast", 183.8, 1, 1, 2.375, "up down", s569],
-["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s569],
-[s424, "unicast", 189.7, 1, 1, 2.625, "up down", s569],
-[s243, "unicast", 192, 1, 1, 1.125, "up down", s569],
-[s248, "unicast", 188, 1, 1, 1.216, "up down", s569],
-[s258, "unicast", 183.7, 1, 3, 1.5, "up down", s569],
-["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s569],
-[s428, "unicast", 480, 1, 1, 1.037, "up down", s569],
-["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s569],
-[s429, "unicast", 183.7, 1, 4, 0.288, "up down", s569],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s569],
-[s430, "unicast", 189, 1, 4, 0.1806, "up down", s569],
+["SPDP", "multicast", 560, 1, 0, 1, "up down", s561],
+["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s562],
+[s401, "unicast", 560, 1, 1, 1, "up down", s550],
+["SEDP", "unicast", s414, 0.6008, 2, 1, "up down", s550],
+["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s550],
+[s215, "unicast", 183.8, 1, 1, 2.375, "up down", s550],
+["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s550],
+[s405, "unicast", 189.7, 1, 1, 2.625, "up down", s550],
+[s224, "unicast", 192, 1, 1, 1.125, "up down", s550],
+[s229, "unicast", 188, 1, 1, 1.216, "up down", s550],
+[s239, "unicast", 183.7, 1, 3, 1.5, "up down", s550],
+["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s550],
+[s409, "unicast", 480, 1, 1, 1.037, "up down", s550],
+["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s550],
+[s410, "unicast", 183.7, 1, 4, 0.288, "up down", s550],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s550],
+[s411, "unicast", 189, 1, 4, 0.1806, "up down", s550],
 ],
 },
-"Fast DDS 3.6, a Discovery Server": s576,
-"Fast DDS 3.6, two Discovery Servers": s577,
+"Fast DDS 3.6, a Discovery Server": s557,
+"Fast DDS 3.6, two Discovery Servers": s558,
 "Fast DDS 3.6, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3443,41 +3358,41 @@ s574,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s402,
-"server_ratios": s156,
+"ratios": s383,
+"server_ratios": s137,
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [10, 20, 42],
-"band": s444,
+"band": s425,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s564,
-"windows": s565,
-"units": s445,
+"outlooks": s545,
+"windows": s546,
+"units": s426,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 632, 1, 0, 1, "up down", s580],
-["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s581],
-[s420, "unicast", 632, 1, 1, 1, "up down", s569],
-["SEDP", "unicast", s446, 0.6318, 2, 1, "up down", s569],
-["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s569],
-[s234, "unicast", 184.3, 1, 1, 2.13, "up down", s569],
-["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s569],
-[s424, "unicast", 189.6, 1, 1, 2.204, "up down", s569],
-[s243, "unicast", 192, 1, 1, 1.046, "up down", s569],
-[s248, "unicast", 188, 1, 1, 1.083, "up down", s569],
-[s258, "unicast", 178.8, 1, 3, 1.306, "up down", s569],
-["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s569],
-[s428, "unicast", 459.4, 1, 1, 1.15, "up down", s569],
-[s253, "unicast", s447, 0.9914, 1, 2.303, "up down", s569],
-[s255, "unicast", 188, 1, 1, 2.5, "up down", s569],
-["Type lookup", "unicast", s448, 0.2383, 4, 3.917, "up down", s569],
-["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s569],
-[s429, "unicast", 178.8, 1, 5, 0.1285, "up down", s569],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s569],
-[s430, "unicast", 189, 1, 5, 0.2066, "up down", s569],
+["SPDP", "multicast", 632, 1, 0, 1, "up down", s561],
+["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s562],
+[s401, "unicast", 632, 1, 1, 1, "up down", s550],
+["SEDP", "unicast", s427, 0.6318, 2, 1, "up down", s550],
+["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s550],
+[s215, "unicast", 184.3, 1, 1, 2.13, "up down", s550],
+["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s550],
+[s405, "unicast", 189.6, 1, 1, 2.204, "up down", s550],
+[s224, "unicast", 192, 1, 1, 1.046, "up down", s550],
+[s229, "unicast", 188, 1, 1, 1.083, "up down", s550],
+[s239, "unicast", 178.8, 1, 3, 1.306, "up down", s550],
+["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s550],
+[s409, "unicast", 459.4, 1, 1, 1.15, "up down", s550],
+[s234, "unicast", s428, 0.9914, 1, 2.303, "up down", s550],
+[s236, "unicast", 188, 1, 1, 2.5, "up down", s550],
+["Type lookup", "unicast", s429, 0.2383, 4, 3.917, "up down", s550],
+["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s550],
+[s410, "unicast", 178.8, 1, 5, 0.1285, "up down", s550],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s550],
+[s411, "unicast", 189, 1, 5, 0.2066, "up down", s550],
 ],
 },
 "Zenoh, periods of Zenoh peer, static peers": {
@@ -3487,159 +3402,159 @@ s574,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s472,
+"color": s453,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s561,
+"outlooks": s200,
+"windows": s201,
+"units": s542,
 "degree": 2,
-"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s232], s475],
+"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s213], s456],
 },
 "static endpoints, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s476,
+"about": s457,
 "caution": "",
-"ratios": s402,
-"server_ratios": s156,
+"ratios": s383,
+"server_ratios": s137,
 "has_server": false,
-"color": s354,
+"color": s335,
 "measured": [8, 8, 84],
-"band": s477,
+"band": s458,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s564,
-"windows": s565,
-"units": s481,
+"outlooks": s545,
+"windows": s546,
+"units": s462,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s580],
-[s416, "multicast", 589.2, 1, 1, 1, "up down", s569],
-[s482, "multicast", 589.2, 1, 2, 1, "up down", s569],
-["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s581],
-[s420, "unicast", 589.2, 1, 3, 1, "up down", s569],
-[s421, "unicast", 589.2, 1, 4, 0.5, "up down", s569],
-[s483, "unicast", 589.2, 1, 5, 0.6542, "up down", s569],
-["Listed", "multicast", 59.47, 0, 2, 1, "up down", s582],
-[s484, "multicast", 59.47, 0, 6, 0.8987, "up down", s569],
-[s485, "multicast", 59.47, 0, 7, 0.8987, "up down", s569],
-[s486, "unicast", 59.47, 0, 5, 1, "up down", s582],
-[s487, "unicast", 59.47, 0, 5, 0.9528, "up down", s569],
-[s488, "unicast", 59.47, 0, 8, 0.4764, "up down", s569],
-[s489, "unicast", 59.47, 0, 9, 0.6233, "up down", s569],
-[s243, "unicast", 192, 1, 3, 1.167, "up down", s569],
-[s248, "unicast", 188, 1, 3, 1.167, "up down", s569],
-[s258, "unicast", 192, 1, 10, 1.33, "up down", s569],
-["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s569],
+["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s561],
+[s397, "multicast", 589.2, 1, 1, 1, "up down", s550],
+[s463, "multicast", 589.2, 1, 2, 1, "up down", s550],
+["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s562],
+[s401, "unicast", 589.2, 1, 3, 1, "up down", s550],
+[s402, "unicast", 589.2, 1, 4, 0.5, "up down", s550],
+[s464, "unicast", 589.2, 1, 5, 0.6542, "up down", s550],
+["Listed", "multicast", 59.47, 0, 2, 1, "up down", s563],
+[s465, "multicast", 59.47, 0, 6, 0.8987, "up down", s550],
+[s466, "multicast", 59.47, 0, 7, 0.8987, "up down", s550],
+[s467, "unicast", 59.47, 0, 5, 1, "up down", s563],
+[s468, "unicast", 59.47, 0, 5, 0.9528, "up down", s550],
+[s469, "unicast", 59.47, 0, 8, 0.4764, "up down", s550],
+[s470, "unicast", 59.47, 0, 9, 0.6233, "up down", s550],
+[s224, "unicast", 192, 1, 3, 1.167, "up down", s550],
+[s229, "unicast", 188, 1, 3, 1.167, "up down", s550],
+[s239, "unicast", 192, 1, 10, 1.33, "up down", s550],
+["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s550],
 ],
 },
-"Zenoh peer, switching to Fast DDS with a Discovery Server": s576,
-"Zenoh peer, switching to Fast DDS with two Discovery Servers": s577,
+"Zenoh peer, switching to Fast DDS with a Discovery Server": s557,
+"Zenoh peer, switching to Fast DDS with two Discovery Servers": s558,
 "Zenoh peer, static peers": {
 "group": null,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": {"any": []},
-"about": s490,
+"about": s471,
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s472,
+"color": s453,
 "measured": [8, 12, 60],
-"band": s491,
+"band": s472,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s583,
+"outlooks": s200,
+"windows": s201,
+"units": s564,
 "degree": 3,
 "messages": [
-["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s232],
-s584,
-s585,
-s586,
-["OAM", "unicast", s499, 0.835, 0, 1, "up down", s232],
-[s500, "unicast", s499, 0.835, 1, 0.625, "up down", s232],
-["Declare", "unicast", s501, 0.1957, 2, 0.5, "up down", s232],
-[s502, "unicast", s503, 0.8037, 3, 0.5, "up down", s232],
-[s504, "unicast", s503, 0.8037, 4, 0.5, "up down", s232],
-["Declare final", "unicast", 176, 0.05, 0, 1, "up down", s232],
-["Frame", "unicast", s505, 0.2478, 0, 1, "up down", s232],
-[s506, "unicast", s505, 0.2478, 2, 0.6083, "up down", s232],
-s588,
-s589,
-["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", s474],
-[s509, "unicast", 76, 1, 0, 2.496, "up down", s232],
-[s510, "unicast", 76, 1, 2, 0.2188, "up down", s232],
+["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s213],
+s565,
+s566,
+s567,
+["OAM", "unicast", s480, 0.835, 0, 1, "up down", s213],
+[s481, "unicast", s480, 0.835, 1, 0.625, "up down", s213],
+["Declare", "unicast", s482, 0.1957, 2, 0.5, "up down", s213],
+[s483, "unicast", s484, 0.8037, 3, 0.5, "up down", s213],
+[s485, "unicast", s484, 0.8037, 4, 0.5, "up down", s213],
+["Declare final", "unicast", 176, 0.05, 0, 1, "up down", s213],
+["Frame", "unicast", s486, 0.2478, 0, 1, "up down", s213],
+[s487, "unicast", s486, 0.2478, 2, 0.6083, "up down", s213],
+s569,
+s570,
+["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", s455],
+[s490, "unicast", 76, 1, 0, 2.496, "up down", s213],
+[s491, "unicast", 76, 1, 2, 0.2188, "up down", s213],
 ],
 },
-"Zenoh peer, tokens, switching to Fast DDS with a Discovery Server": s576,
-"Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers": s577,
+"Zenoh peer, tokens, switching to Fast DDS with a Discovery Server": s557,
+"Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers": s558,
 "Zenoh peer, tokens, static peers": {
 "group": null,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": {"any": []},
-"about": s511,
+"about": s492,
 "caution": "",
-"ratios": s156,
-"server_ratios": s156,
+"ratios": s137,
+"server_ratios": s137,
 "has_server": false,
-"color": s472,
+"color": s453,
 "measured": [8, 12, 60],
-"band": s512,
+"band": s493,
 "reboot": [],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s219,
-"windows": s220,
-"units": s583,
+"outlooks": s200,
+"windows": s201,
+"units": s564,
 "degree": 3,
 "messages": [
-["InitSyn", "unicast", 109.86, 1, 0, 0.5, "up down", s232],
-s584,
-s585,
-s586,
-["OAM", "unicast", s513, 0.7058, 0, 1, "up down", s232],
-[s500, "unicast", s513, 0.7058, 1, 0.6493, "up down", s232],
-["Declare", "unicast", s514, 0.0655, 2, 0.5, "up down", s232],
-["Declare token", "unicast", s515, 0.0603, 2, 1, "up down", s232],
-[s516, "unicast", s515, 0.0603, 0, 1, "up down", s232],
-[s502, "unicast", s517, 0.5972, 3, 1.5, "up down", s232],
-[s504, "unicast", s517, 0.5972, 4, 2.5, "up down", s232],
-[s518, "unicast", s517, 0.5972, 0, 1, "up down", s232],
-["Declare final", "unicast", s519, 0.06, 0, 1, "up down", s232],
-["Frame", "unicast", s520, 0.1352, 0, 2, "up down", s232],
-[s506, "unicast", s520, 0.1352, 2, 1, "up down", s232],
-s588,
-s589,
-["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", s474],
-[s509, "unicast", 76, 1, 0, 3.325, "up down", s232],
-[s510, "unicast", 76, 1, 2, 0.4208, "up down", s232],
+["InitSyn", "unicast", 109.86, 1, 0, 0.5, "up down", s213],
+s565,
+s566,
+s567,
+["OAM", "unicast", s494, 0.7058, 0, 1, "up down", s213],
+[s481, "unicast", s494, 0.7058, 1, 0.6493, "up down", s213],
+["Declare", "unicast", s495, 0.0655, 2, 0.5, "up down", s213],
+["Declare token", "unicast", s496, 0.0603, 2, 1, "up down", s213],
+[s497, "unicast", s496, 0.0603, 0, 1, "up down", s213],
+[s483, "unicast", s498, 0.5972, 3, 1.5, "up down", s213],
+[s485, "unicast", s498, 0.5972, 4, 2.5, "up down", s213],
+[s499, "unicast", s498, 0.5972, 0, 1, "up down", s213],
+["Declare final", "unicast", s500, 0.06, 0, 1, "up down", s213],
+["Frame", "unicast", s501, 0.1352, 0, 2, "up down", s213],
+[s487, "unicast", s501, 0.1352, 2, 1, "up down", s213],
+s569,
+s570,
+["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", s455],
+[s490, "unicast", 76, 1, 0, 3.325, "up down", s213],
+[s491, "unicast", 76, 1, 2, 0.4208, "up down", s213],
 ],
 },
-"Zenoh router, switching to Fast DDS with a Discovery Server": s576,
-"Zenoh router, switching to Fast DDS with two Discovery Servers": s577,
-"Zenoh router per host, switching to Fast DDS with a Discovery Server": s576,
-"Zenoh router per host, switching to Fast DDS with two Discovery Servers": s577,
-"Zenoh router per host, star, switching to Fast DDS with a Discovery Server": s576,
-"Zenoh router per host, star, switching to Fast DDS with two Discovery Servers": s577,
+"Zenoh router, switching to Fast DDS with a Discovery Server": s557,
+"Zenoh router, switching to Fast DDS with two Discovery Servers": s558,
+"Zenoh router per host, switching to Fast DDS with a Discovery Server": s557,
+"Zenoh router per host, switching to Fast DDS with two Discovery Servers": s558,
+"Zenoh router per host, star, switching to Fast DDS with a Discovery Server": s557,
+"Zenoh router per host, star, switching to Fast DDS with two Discovery Servers": s558,
 },
 };
 })();

@@ -34,7 +34,7 @@ class Endpoint:
 
     process: Process
     number: int
-    topic: str
+    builtin_topic: str
 
     def __str__(self) -> str:
         return f"endpoint {self.number}"
@@ -82,7 +82,7 @@ def _answers(process: Process, endpoints: Sequence[Endpoint], sent: SentMessage)
     answers: list[_Message] = []
     if sent.kind == "SPDP":  # a new participant: announce all, ask what has arrived
         for topic in _TOPICS:
-            answers += [(other, "SEDP", one) for one in endpoints if one.topic == topic]
+            answers += [(other, "SEDP", one) for one in endpoints if one.builtin_topic == topic]
             answers.append((other, "Heartbeat", topic))
     elif sent.kind == "Heartbeat":
         answers.append((other, "ACKNACK", sent.about))

@@ -29,7 +29,7 @@ from discostorm_book.show import payload_meaning
 
 #: Endpoints that all processes of a robot have together: fewest and most to choose [1].
 FIG3_ENDPOINT_LIMITS = (4, 100)
-#: First position of the line: the paper's endpoints, in the most processes of Sec. IV-B [1].
+#: Processes at which the line of Fig. 3 starts, with the paper's endpoints: Sec. IV-B's most [1].
 FIG3_FIRST_PROCESSES = 8
 #: First settings of a reader's own starts: robots [1] and middleware.
 FIRST_OWN_START = (10, "Fast DDS 3.6")

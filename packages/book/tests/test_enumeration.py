@@ -145,7 +145,7 @@ def test_hosts_that_are_no_sequences_are_named(hosts: Any, message: str) -> None
 def test_endpoints_alternate_between_topics_and_each_topic_ends_with_its_heartbeat() -> None:
     first, second = Process(1, 1), Process(2, 1)
     told = [
-        sent.about.topic if isinstance(sent.about, Endpoint) else f"end of {sent.about}"
+        sent.about.builtin_topic if isinstance(sent.about, Endpoint) else f"end of {sent.about}"
         for sent in enumerate_messages(ds.DDS.name, [[3], [0]])
         if (sent.sender, sent.receiver, sent.hop) == (first, second, "up")
         and sent.kind in {"SEDP", "Heartbeat"}

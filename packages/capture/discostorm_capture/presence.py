@@ -101,7 +101,7 @@ class Presence:
             self.answers = {ends: one for ends, one in self.answers.items() if {*ends} <= kept}
 
     def add_refusals(self, events: pd.DataFrame, start: float) -> None:
-        """Replace all refusals by those of kept network events; event times count from `start`."""
+        """Replace all refusals by those in `events`, whose times count from `start`."""
         rows = event_tuples(events.sort_values("time"))
         asked = {row[1:4] for row in rows if row[0] == PORT_ADDRESSED}
         ports = Counter(ends[:2] for ends in asked)

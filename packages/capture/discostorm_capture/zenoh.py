@@ -47,8 +47,8 @@ class _Roster:
     sightings: list[tuple[int, int, int]] = field(default_factory=list)
     roles: dict[int, set[int]] = field(default_factory=lambda: defaultdict(set))
     #: Maximum number of endpoints, and of endpoint tokens, that a process declares to another one.
-    declared_endpoints: dict[int, int] = field(default_factory=dict)
-    endpoint_tokens: dict[int, int] = field(default_factory=dict)
+    endpoint_counts: dict[int, int] = field(default_factory=dict)
+    token_counts: dict[int, int] = field(default_factory=dict)
     #: Frame, declaring process and text of each token that names an endpoint of rmw_zenoh.
     ros_tokens: list[tuple[int, int, re.Match[bytes]]] = field(default_factory=list)
     #: The longest list of listening addresses in one message of a process.
@@ -96,15 +96,15 @@ def dissect_zenoh(
     processes = {}
     for id_, name in enumerate(names):
         is_router, role = _ROUTER in seen.roles[id_], min(seen.roles[id_])
-        tokens = seen.endpoint_tokens.get(id_, 0)
+        tokens = seen.token_counts.get(id_, 0)
         processes[id_] = Process(
             ZENOH,
             name,
             "Zenoh" if role == _UNKNOWN_ROLE else f"Zenoh {_ROLES[role]}",
             *first[id_],
-            endpoints=0 if is_router else tokens or seen.declared_endpoints.get(id_, 0),
+            endpoints=0 if is_router else tokens or seen.endpoint_counts.get(id_, 0),
             announced_anything=not is_router
-            and (id_ in seen.declared_endpoints or id_ in seen.endpoint_tokens),
+            and (id_ in seen.endpoint_counts or id_ in seen.token_counts),
             is_server=is_router,
             counts_publishers=tokens > 0,
             announced_addresses=tuple(sorted(seen.listening_addresses[id_])),
@@ -234,13 +234,13 @@ def _add_fragments(data: Bytes, parsed: Columns, messages: Columns, seen: _Roste
         for row in np.flatnonzero(np.isin(inner["code"], (_TOKEN, _KEY_EXPRESSION))).tolist():
             stream, process = (int(inner[name][row]) for name in ("stream", "process"))
             if inner["code"][row] == _TOKEN:
-                seen.endpoint_tokens.setdefault(process, 0)
+                seen.token_counts.setdefault(process, 0)
             text = ROS_TOKEN_PATTERN.search(source[inner["at"][row] : inner["end"][row]].tobytes())
             if text:
                 seen.ros_tokens.append((int(table["frame"][row]), process, text))
                 named.add((stream, process, text[0]))
     counts = Counter(ends), Counter((stream, process) for stream, process, _ in named)
-    for maxima, count in zip((seen.declared_endpoints, seen.endpoint_tokens), counts, strict=True):
+    for maxima, count in zip((seen.endpoint_counts, seen.token_counts), counts, strict=True):
         for (_, process), declarations in count.items():
             maxima[process] = max(maxima.get(process, 0), declarations)
     return tables

@@ -137,7 +137,7 @@ def _skip_extensions(
 
 
 def _has_extension(data: Bytes, at: Offsets, end: Offsets, wanted: int) -> Array:
-    """Return whether one of the extensions has an id."""
+    """Return whether one of the extensions has the id ``wanted``."""
     ids = np.zeros(len(at), np.int64)
     _skip_extensions(data, np.where(at < end, at, end + 1), end, at, ids)
     return ids >> wanted & 1 > 0
@@ -195,7 +195,8 @@ def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
     """Return the messages in batches, given the first byte and the end of each batch.
 
     One row per message: the index of its ``batch``; ``at`` and ``end``; ``code``, an index of
-    `MESSAGE_NAMES`; ``head``, its first byte; ``number``. The unreadable rest of a batch is a row.
+    `MESSAGE_NAMES`; ``head``, its first byte; ``number``, as in its layout. The unreadable rest of
+    a batch is a row.
     """
     batch = np.arange(len(at))
     steps: list[tuple[Array, ...]] = [(batch[:0], at[:0], at[:0], batch[:0], batch[:0], batch[:0])]

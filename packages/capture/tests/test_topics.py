@@ -184,7 +184,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         ),
         (
             "published_once",
-            "A process on 10.77.0.2 left before a reader could get its samples",
+            "A process on 10.77.0.2 exited before any reader could get its samples",
             "wait until its readers are matched",
         ),
         (

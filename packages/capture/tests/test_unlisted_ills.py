@@ -141,7 +141,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "router_between",
-            "10.78.0.3 is not in the subnet of the other hosts",
+            "10.78.0.3 is in a different subnet from the other hosts",
             "announce themselves from different networks",
             "Give all hosts addresses in one subnet",
         ),

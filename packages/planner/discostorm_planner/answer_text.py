@@ -12,13 +12,14 @@ from discostorm import wording
 from discostorm.data import data_path
 from discostorm.wifi import PAPER
 from discostorm_planner import remedy_rules
-from discostorm_planner.change_simulation import SOFTWARE_EFFORTS, SimulatedChange
+from discostorm_planner.change_simulation import CAUTION_LOSS, SOFTWARE_EFFORTS, SimulatedChange
 from discostorm_planner.discovery_time import MIN_PAIRS, RUNS, DiscoveryTime
 from discostorm_planner.fleet_changes import hosts_in_words
 from discostorm_planner.simulation_jobs import MOST_PAIRS_SHARE, TARGET_S
 
 if TYPE_CHECKING:
     from discostorm.fleet import HostGroup
+    from discostorm_planner.remedy import Remedy
     from discostorm_planner.result import Plan
 
 #: Maximum numbers of lines, of changes and of groups in an answer of the usual width.
@@ -93,6 +94,7 @@ def _verdict_lines(plan: Plan) -> list[str]:
         "median": _time_text(today.median),
         "low": _time_text(today.median),
         "nine": _time_beyond(today.nine_of_ten, plan.within),
+        "most": _most_runs(len(today.times)),
         "lost": format_share(today.lost),
         "runs": str(len(today.times)),
         "late": str(sum(map(math.isinf, today.times))),
@@ -119,7 +121,8 @@ def _verdict_lines(plan: Plan) -> list[str]:
             share, time = wording.percent(MOST_PAIRS_SHARE), _time_text(today.most_pairs_s)
             times += " " + fill("most pairs", share=share, time=time)
         lines.append(times)
-    if not found.works and math.isinf(today.nine_of_ten):
+    loses_much = today.repaired and today.lost > CAUTION_LOSS
+    if not found.works and (loses_much or math.isinf(today.nine_of_ten)):
         causes = today.slowdown_causes(plan.steady_range.full)
         lines.append(" ".join(fill(cause, **values) for cause in causes))
     if plan.data:
@@ -243,7 +246,7 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
             before=before,
             after=time_after(change),
             effort=remedy_rules.describe_efforts(remedy.efforts),
-            cost="; ".join(remedy.trade_offs.split("; ")[: 2 if number == 1 else 1]),
+            cost=_main_trade_offs(remedy, number == 1),
         )
         name = f"'{change.name}'" if " " in change.name else change.name
         line += fill("paste", name=name) * bool(remedy.snippets)
@@ -253,6 +256,12 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
             key = "doubtful" if change.is_cautious else "perhaps"
             line += fill(key, caution=change.caution, slow=slow)
         yield line
+
+
+def _main_trade_offs(remedy: Remedy, is_first: bool) -> str:
+    """Return the first trade-off with the failure mode; without one, the first change has two."""
+    trade_offs, failure = remedy.trade_offs.split("; "), remedy.failure_mode
+    return "; ".join([trade_offs[0], failure] if failure else trade_offs[: 1 + is_first])
 
 
 def _slower_in_reality(plan: Plan, today: DiscoveryTime) -> str:
@@ -276,12 +285,17 @@ def time_after(change: SimulatedChange) -> str:
     assert time is not None
     words = describe_time(time)
     if change.remedy.kind == "domains" and math.isfinite(time.median):
-        words = f"at least {words}"
+        words = f"{words} or more"
     if time.expired_lease_runs:
         words = fill("leases", time=words, **_lease_counts(time))
     if change.smallest is None:
         return words
     return fill("enough", time=describe_time(change.smallest.time), least=words)
+
+
+def _most_runs(runs: int) -> str:
+    """Name the runs that `DiscoveryTime.nine_of_ten` counts: all, if there are fewer than ten."""
+    return "nine of ten runs" if runs >= RUNS else f"all {runs} runs" if runs > 2 else "both runs"
 
 
 def _lease_counts(time: DiscoveryTime) -> dict[str, int]:
@@ -300,7 +314,7 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
         median, nine, notes = "", "", [fill("not simulated", reason=found.reason)]
         if today is not None:
             lost = format_share(today.lost)
-            notes = [f"{_done_text(today)} are done"] if math.isinf(today.median) else []
+            notes = [_done_text(today)] if math.isinf(today.median) else []
             notes += [fill("some leases", **_lease_counts(today))] * bool(today.expired_lease_runs)
             notes += [fill("lost", lost=lost)] * today.is_lower_bound
             median = "at least " * today.is_lower_bound + _time_text(today.median)
@@ -324,7 +338,7 @@ def _done_text(time: DiscoveryTime) -> str:
     """Describe the share of completed pairs in the worst and in the best run."""
     low, high = format_share(time.pairs_done[0]), format_share(time.pairs_done[-1])
     span = f"at most {high}" if low.startswith("less") else f"{low} to {high}"
-    return f"{low if low == high else span} of the pairs"
+    return f"{low if low == high else span} of pairs done"
 
 
 def _describe_runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:

@@ -40,7 +40,7 @@ MIDDLEWARE_EFFORTS = frozenset({"upgrade", "switch", "research"})
 SOFTWARE_EFFORTS = MIDDLEWARE_EFFORTS | {"build"}
 #: Maximum share of lost frames at which a time without repairs is still a useful bound [1].
 MAX_BOUND_LOSS = 0.5
-#: Share of lost frames from which a product's caution matters, as repairs decide the time [1].
+#: Share of lost frames above which a product's ``caution`` applies: repairs decide the time [1].
 CAUTION_LOSS = 0.1
 
 
@@ -369,7 +369,7 @@ def _prepare_change(
 def _add_process_count(
     setting: Setting, change: SimulatedChange, within: float, work: WorkMeter
 ) -> SimulatedChange:
-    """Add the largest number of processes to compose into that still suffices."""
+    """Add the variant that composes into the most processes per host that still suffice."""
     composed = {"processes"} <= {*change.remedy.steps} <= {"processes", "staggered start"}
     if not composed or not change.suffices(within):
         return change

@@ -12,7 +12,7 @@ from discostorm.files import json_ready
 #: Usual number of runs of a fleet [1].
 RUNS = 10
 #: Keys of the sentences on losses at the robots, at the access point, and on the air.
-_LOSS_SENTENCES = ("robots lose", "access point loses", "air loses")
+_LOSS_KEYS = ("robots lose", "access point loses", "air loses")
 #: Expired leases per pair from which they count as a cause of slow discovery [1].
 MIN_EXPIRED_PER_PAIR = 0.05
 #: Minimum relative gain of time that is worth mentioning [1].
@@ -55,7 +55,7 @@ class DiscoveryTime:
 
     @property
     def median_interval(self) -> tuple[float, float]:
-        """Confidence interval of the median [s]: second to ninth of ten runs (98%), else all."""
+        """Confidence interval of the median [s]: 2nd to 9th of ten runs (98%), or all of fewer."""
         cut = int(len(self.times) >= RUNS)
         return self.times[cut], self.times[-1 - cut]
 
@@ -107,7 +107,7 @@ class DiscoveryTime:
         if steady >= 1:
             return ["periodic traffic fills"]
         most = max(self.lost_by_place)
-        losses = [_LOSS_SENTENCES[self.lost_by_place.index(most)]] if most else []
+        losses = [_LOSS_KEYS[self.lost_by_place.index(most)]] if most else []
         return losses + ["leases end"] * (median(self.expired_per_pair) > MIN_EXPIRED_PER_PAIR)
 
     def to_dict(self) -> dict[str, Any]:

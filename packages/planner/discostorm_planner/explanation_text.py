@@ -32,7 +32,7 @@ def format_explanation(plan: Plan, width: int) -> str:
     lines = [] if alone else [*_drain_time_lines(plan), *_service_wait_lines(plan), ""]
     if plan.data:
         lines += [*_user_data_lines(plan.data, plan.window), ""]
-    lines += [*_airtime_lines(plan), "", "Largest parts of this airtime:", *_share_lines(plan)]
+    lines += [*_airtime_lines(plan), "", *_share_lines(plan)]
     if alone:  # a lone robot needs no change
         return _wrap_lines([*lines, "", wording.LONE_HOST_NOTE], width)
     number = 0
@@ -40,9 +40,12 @@ def format_explanation(plan: Plan, width: int) -> str:
         lines += ["", title]
         for remedy in remedies:
             number += 1
-            told = wording.join_sentences(remedy.gain_clause("it "), remedy.note)
-            what = wording.capitalized(_change_with_times(plan, remedy))
-            lines.append(f"{number:2}. {what}. {wording.capitalized(told)}.")
+            if times := _times_of_change(plan, remedy):
+                lines.append(f"{number:2}. {wording.capitalized(times)}.")
+            else:
+                told = wording.join_sentences(remedy.gain_clause("it "), remedy.note)
+                what = wording.capitalized(remedy.what)
+                lines.append(f"{number:2}. {what}. {wording.capitalized(told)}.")
             lines.append(f"    {remedy.caution()}")
     lines += ["", "The same fleet with each measured configuration:"]
     rests_on = [f"- {line}" for line in _basis_lines(plan)]
@@ -50,21 +53,20 @@ def format_explanation(plan: Plan, width: int) -> str:
     rest = len(plan.remedies) + len(plan.combinations) - number
     basis += [
         "",
-        "`discostorm plan --paste NAME` prints the configuration of a change. `--json` adds "
-        f"{wording.count_noun(rest, 'change')}, the reasons why others are left out, and all "
-        "configurations.",
+        "`discostorm plan --paste NAME` prints the configuration of a change. `--json` lists "
+        f"{wording.count_noun(rest, 'change')}, why others are left out, and all configurations.",
     ]
     table = configuration_table(plan.configurations, width)
     return "\n".join([_wrap_lines(lines, width), *table, _wrap_lines(basis, width)])
 
 
-def _change_with_times(plan: Plan, remedy: Remedy) -> str:
-    """Describe a change, with the discovery times before and after it if they were simulated."""
+def _times_of_change(plan: Plan, remedy: Remedy) -> str:
+    """Describe a change and the discovery times before and after it; "" if not simulated."""
     today = plan.discovery.today
     for change in plan.discovery.changes:
         if change.remedy is remedy and change.time and today:
             return f"{describe_change(change)}: {describe_time(today)} -> {time_after(change)}"
-    return remedy.what
+    return ""
 
 
 def _wrap_lines(lines: list[str], width: int) -> str:
@@ -80,7 +82,10 @@ def _drain_time_lines(plan: Plan) -> Iterator[str]:
     busy = f"startup keeps the channel busy for {_time_range(startup)} if nothing is lost"
     if math.isinf(startup.bounds[0]):
         busy = "startup never ends"
-    yield fill("drain time", busy=busy)
+    today = plan.discovery.today
+    time = today.median if today else 0.0
+    why = "" if math.isinf(time) else fill("later" if time > startup.bounds[0] else "sooner")
+    yield fill("drain time", busy=busy, why=why).strip()
     if startup.differs:
         yield fill("full A-MPDUs")
     if not wording.below_capacity(steady.single) and math.isfinite(plan.window):
@@ -121,7 +126,7 @@ def _airtime_lines(plan: Plan) -> Iterator[str]:
     hosts = wording.count_noun(plan.fleet.hosts(), "host")
     processes = wording.count_noun(plan.fleet.processes(), "process", "es")
     yield f"Discovery of {hosts} ({processes} in all) needs {needs} with {plan.protocol.name}."
-    fits = f"the fleet {plan.verdict}" if steady else f"discovery {plan.verdict} into it"
+    fits = f"the fleet {plan.verdict}" if steady else f"discovery {plan.verdict}"
     load = wording.format_load(found.bounds[0], "", "the capacity").strip()
     time = "the steady state" if steady else "the first second"
     if not steady and plan.window != PAPER_WINDOW:
@@ -133,21 +138,22 @@ def _airtime_lines(plan: Plan) -> Iterator[str]:
         yield f"When one robot{robot} reboots, discovery needs at least {low} of airtime."
     exchanges = "full A-MPDUs" if found.differs else "one message per frame"
     assumed = f"no losses · no collisions · {exchanges}"
-    yield f"Channel: {plan.wifi.name}, {TOPOLOGY}. Assumes: {assumed}."
+    yield f"Channel: {plan.wifi.name}, {TOPOLOGY}. This airtime assumes: {assumed}."
 
 
 def _share_lines(plan: Plan) -> Iterator[str]:
     """Yield the largest message, the largest phase and the largest groups."""
+    yield "Largest parts of this airtime, which overlap:"
     for kind, noun in (("message", "Message type"), ("phase", "Phase")):
         largest = plan.shares_of_kind(kind)[0]
         yield f"- {noun}: {largest.name}, {wording.format_share(largest.share)}."
     groups = plan.shares_of_kind("group")
     for group in groups[:_MAX_GROUPS] * (len(groups) > 1):
-        yield f"- Traffic with {group.name}: {wording.format_share(group.share)}."
+        yield f"- From or to {group.name}: {wording.format_share(group.share)}."
     if len(groups) > _MAX_GROUPS:
         rest, share = len(groups) - _MAX_GROUPS, wording.format_share(groups[_MAX_GROUPS].share)
         each = "" if rest == 1 else " each"
-        yield f"- Traffic with {wording.count_noun(rest, 'further group')}: at most {share}{each}."
+        yield f"- From or to {wording.count_noun(rest, 'further group')}: at most {share}{each}."
 
 
 def _basis_lines(plan: Plan) -> Iterator[str]:

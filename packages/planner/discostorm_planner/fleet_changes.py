@@ -77,7 +77,7 @@ def split_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
             yield f"splitting into {count} parts: not every part would have two hosts"
             continue
         parts = split_hosts(fleet, count)
-        yield Change("channels", f"splitting onto {count} channels", "parts", parts=parts)
+        yield Change("channels", f"splitting across {count} channels", "parts", parts=parts)
         if works:
             yield Change("domains", f"splitting into {count} domains", "parts", parts=parts)
 

@@ -151,7 +151,7 @@ def reboot_airtime(setting: Setting) -> RebootAirtime | None:
 def restart_factors(protocol: Protocol) -> list[float]:
     """Return the smallest and the largest factor of restarts and joins; empty if not measured.
 
-    A factor is the airtime as a multiple of the same pairs' airtime in a common startup [1].
+    A factor is the airtime of the pairs concerned, relative to theirs in a common startup [1].
     """
     rows = read_data("measured/restarts.csv", "discostorm_planner")
     ends = [float(r[end]) for r in rows if r["protocol"] == protocol.key for end in ("low", "high")]

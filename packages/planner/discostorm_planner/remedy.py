@@ -169,9 +169,11 @@ class Remedy:
         effort = remedy_rules.describe_efforts(self.efforts)
         trade_offs = "; ".join(filter(None, (self.trade_offs, self.failure_mode)))
         rest = ""
-        if not wording.below_capacity(self.steady):
-            share = wording.percent(self.steady)
-            rest = f" Periodic traffic still needs {share} of the channel, so the fleet never fits."
+        low, high = self.steady_range.bounds
+        if not wording.below_capacity(high):
+            never = "may never fit" if wording.below_capacity(low) else "never fits"
+            share = wording.percent(low if never == "never fits" else high)
+            rest = f" Periodic traffic still needs {share} of the channel, so the fleet {never}."
         elif self.kind == "combination" and self.verdict == "does not fit":
             rest = f" Spread the starts over {wording.duration(self.start_window)}."
         return f"Effort: {effort}. Trade-offs: {trade_offs}.{rest}"

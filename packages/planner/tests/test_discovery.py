@@ -233,7 +233,7 @@ def test_another_ros_release_is_a_change_where_it_was_measured() -> None:
     assert newer.today == release.time
     said = " ".join(plan.advice(all_changes=True).split())
     told = answer_text.describe_time(release.time)
-    assert f"-> {told}. Effort: another ROS release. Cost: all computers need the new ROS" in said
+    assert f"-> {told}. Effort: another ROS release. Trade-off: all computers need the new" in said
 
 
 def test_domains_are_simulated_as_parts_that_share_the_channel() -> None:
@@ -407,9 +407,9 @@ def test_times_that_overlap_gain_nothing_and_those_without_repairs_are_lower_bou
     assert answer_text.describe_time(today) == "9 s (8 to 10 s)"
     assert answer_text.describe_time(time(0.0278, 0.0294, 0.0304)) == "29 ms (28 to 30 ms)"
     assert answer_text.describe_time(time(0.096, 0.1, 0.11)) == "0.1 s (96 ms to 0.11 s)"
-    assert answer_text.describe_time(never) == "never (10% to 30% of the pairs)"
+    assert answer_text.describe_time(never) == "never (10% to 30% of pairs done)"
     few = time(*[math.inf] * 3, pairs=(0.001, 0.005, 0.01))
-    assert answer_text.describe_time(few) == "never (at most 1% of the pairs)"
+    assert answer_text.describe_time(few) == "never (at most 1% of pairs done)"
 
 
 def test_a_startup_works_only_if_no_lease_expires_in_nine_of_ten_runs() -> None:

@@ -138,7 +138,7 @@ def simulate(
     not reach is null in JSON and empty in CSV. We do not simulate recovery with a server on a
     robot; the answer is then the drain time.
 
-    If FLEET lists topics ([[groups.data]]), hosts publish them alongside discovery, and each run is
+    If FLEET lists topics ([[groups.data]]), hosts publish on them during discovery, and each run is
     repeated without topics. A second table shows the samples' delays and the share of frames that
     arrived. Without recovery, hosts publish from their start to the end.
 

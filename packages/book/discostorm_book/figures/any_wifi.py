@@ -23,7 +23,7 @@ _RADIOS: dict[str, tuple[Radio, int, str]] = {
     "802.11ac, 80 MHz": (Radio("802.11ac", streams=2, width=80e6), 10, "^"),
     "802.11ax, 80 MHz": (Radio("802.11ax", streams=2, width=80e6), 12, "D"),
 }
-#: Lines with aggregation, and on which side of the end the name is.
+#: Format of each radio's line with aggregation, and vertical alignment of its name.
 _AGGREGATED = {
     "802.11n, 20 MHz": ("-o", "center"),
     "802.11ac, 80 MHz": ("--s", "top"),

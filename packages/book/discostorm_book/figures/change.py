@@ -21,7 +21,7 @@ from discostorm_planner.discovery_time import RUNS
 from discostorm_planner.simulation_jobs import MAX_IDLE_PERIODS, SEED, TARGET_S
 from discostorm_simulation import NoRecovery, simulate
 
-#: Fast DDS has the release of this distribution.
+#: Product, in the release that this distribution ships.
 _PRODUCT, _ROS = "Fast DDS", "jazzy"
 #: Position of a discovery that did not end [s].
 NEVER_AT = 500.0

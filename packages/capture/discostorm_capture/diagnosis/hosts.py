@@ -131,7 +131,7 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
     if apart:  # without a majority, each clock may be the wrong one
         hosts = tuple(sorted(clocks if 2 * len(apart) >= len(clocks) else apart))
         ways = {host: "behind" if one < 0 else "ahead of" for host, one in apart.items()}
-        said = [f"{of} is {wording.duration(abs(apart[of]))} {ways[of]} the others" for of in ways]
+        said = [f"{h}'s clock is {wording.duration(abs(apart[h]))} {ways[h]} others" for h in ways]
         yield Finding.of("clock differs", hosts, said)
 
 

@@ -32,9 +32,9 @@ class Reachability:
 
 
 def reachability(
-    obs: Observations, scope: DiscoveryScope, missing: Collection[tuple[str, str]]
+    obs: Observations, scope: DiscoveryScope, unobservable: Collection[tuple[str, str]]
 ) -> Reachability:
-    """Return the reachability of a scope's hosts; pairs in `missing` are not observable."""
+    """Return the reachability of a scope's hosts; pairs in `unobservable` do not count."""
     hosts = _announcing_hosts(obs, scope)
     observable, *heard = np.zeros((4, len(hosts), len(hosts)), bool)
     for row, column in np.ndindex(observable.shape):
@@ -42,7 +42,7 @@ def reachability(
         pair = hosts[row], hosts[column]
         begin = max(obs.host_first_last[host][0] for host in pair)
         stop = min(obs.end, *(obs.host_first_last[host][1] + LIMITS.max_pause for host in pair))
-        if row != column and pair not in missing and stop - begin >= LIMITS.timeout:
+        if row != column and pair not in unobservable and stop - begin >= LIMITS.timeout:
             observable[row, column] = obs.sees_unicast(*pair)
     reach = Reachability(hosts, observable, *heard)
     (_fill_rtps if scope.protocol == "RTPS" else _fill_zenoh)(obs, reach)

@@ -117,7 +117,7 @@ def short_lived_processes(evidence: Evidence) -> Iterator[Finding]:
         readers = sorted({*read["host"]} - {host})
         earlier = (obs.first_last[0] < first) & (obs.process_host != host)
         if readers or (process not in met and earlier.any()):
-            what = f"sent no sample to {join_names(readers)}" if readers else "met no other process"
+            what = f"sent no sample to {join_names(readers)}" if readers else "found no peers"
             texts.setdefault(host, say("left early", host, last - first, what))
     if texts:
         yield Finding("left early", tuple(texts), "; ".join(texts.values()))

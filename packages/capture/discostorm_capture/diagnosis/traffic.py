@@ -22,7 +22,7 @@ from discostorm_capture.zenoh_messages import ZENOH_PORT
 #: 5 % loss stayed below the heavy shares.
 SAMPLE_LOSS, SEGMENT_LOSS = (2, 0.001, 0.016), (3, 0.015, 0.13)
 FLOOD_KINDS = (SEDP, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
-#: Names of services of ROS 2 beside DDS and Zenoh, by UDP port.
+#: Names of ROS 2 software other than DDS and Zenoh, by UDP port.
 _SERVICES = read_data("vendors/service_ports.csv", "discostorm_capture")
 SERVICE_PORTS = {int(row["port"]): f"{row['port']} ({row['what']})" for row in _SERVICES}
 #: Headers of IPv4 with TCP and with UDP; the size of fragments; the smallest packet that an MTU can
@@ -30,7 +30,7 @@ SERVICE_PORTS = {int(row["port"]): f"{row['port']} ({row['what']})" for row in _
 TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
 
 
-def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
+def find_losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
     """Return the lost and the total number of frames, first for samples, then for segments.
 
     Then return the number of lost frames by sending or receiving host, and their times [s]. A
@@ -95,7 +95,7 @@ def _max_read_delay(time: Array, startup: float) -> Array:
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     """Report that frames are lost, and an estimate of their share."""
-    *both, ends, when = lost_frames(evidence)
+    *both, ends, when = find_losses(evidence)
     limits = zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True)
     counts = [(*count, *limit) for count, limit in limits if count[0] >= limit[0]]
     if not any(_wilson_ci(lost, sent)[0] >= some for lost, sent, _, some, _ in counts):

@@ -135,8 +135,7 @@ def remedy_data(ways: Iterable[tuple[str, ...]]) -> JsValue:
             "effort": max(int(efforts()[row["effort"]]["rank"]) for row in rows),
             "takes": describe_efforts(row["effort"] for row in rows),
             "best_case": any(row["gain"] == "best case" for row in rows),
-            "cost": "; ".join(dict.fromkeys(row["price"] for row in rows)),
-            "mind": "; ".join(dict.fromkeys(parts)),
+            "cost": "; ".join(dict.fromkeys(parts)),
         }
 
     return {
