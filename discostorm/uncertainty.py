@@ -94,7 +94,7 @@ def derivative_signs(protocol: AnyProtocol, phase: str | None = None) -> dict[sp
     """Return the sign of the derivative of utilization by each parameter: 1 or -1.
 
     Counts are never negative, so utilization is monotone for every fleet if the cost of each unit
-    is monotone. Raise a ValueError if the cost of a unit is not.
+    is monotone. Raise a ValueError if a cost is not monotone.
     """
     protocol = as_protocol(protocol)
     costs = list(protocol.costs(phase).values())

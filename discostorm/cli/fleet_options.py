@@ -157,7 +157,7 @@ def _fleet_inputs(
     if source is not None:
         given = read_fleet(source)
         options.prefer_distribution(given.ros)
-        options.prefer_channels(given.cells)
+        options.refuse_wifi_with_cells(given.cells)
         return [FleetInput({"fleet": display_name(source)}, given)]
     inputs = []
     for count in hosts if isinstance(hosts, list) else [hosts]:

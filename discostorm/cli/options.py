@@ -198,8 +198,8 @@ def chosen_distribution() -> str | None:
     return None if ros == "all" else ros
 
 
-def prefer_channels(cells: tuple[Cell, ...]) -> None:
-    """Use the channels of the fleet's cells in a command, if the fleet has cells."""
+def refuse_wifi_with_cells(cells: tuple[Cell, ...]) -> None:
+    """Let this command refuse ``--wifi`` if the fleet has cells, which name their own."""
     click.get_current_context().meta[_CELLS_KEY] = bool(cells)
 
 

@@ -46,7 +46,7 @@ def _varied_groups(
         raise click.UsageError("--fleet cannot be combined with --hosts here")
     if source is not None:
         own = fleets.read_fleet(source)
-        options.prefer_channels(own.cells)
+        options.refuse_wifi_with_cells(own.cells)
     elif robot is not None:
         own = ds.Fleet((fleets.robot_preset(robot),))
     else:

@@ -143,13 +143,13 @@ class Radio(_DerivedQuantities):
     def most_bytes(self) -> int:
         """Maximum A-MPDU length [B] by the standard and the longest PPDU; 0 without aggregation."""
         parts = self._standard_parameters
-        if not parts.limits:
+        if not parts.ampdu_limits:
             return 0
         # Whole symbols that the longest PPDU leaves for data.
-        left = Fraction(parts.limits["most_us"]) - parts.preamble
+        left = Fraction(parts.ampdu_limits["most_us"]) - parts.preamble
         whole = left // parts.grid * parts.grid // parts.symbol
         fits = int(whole * int(parts.bits_exact) - parts.added) // 8
-        return min(int(parts.limits["most_bytes"]), fits)
+        return min(int(parts.ampdu_limits["most_bytes"]), fits)
 
     @property
     def least_subframe(self) -> int:

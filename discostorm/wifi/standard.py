@@ -29,7 +29,7 @@ class StandardParameters:
 
     timing: Row
     basic: Row
-    limits: Row | None
+    ampdu_limits: Row | None
     slot: Fraction
     sifs: Fraction
     aifs: Fraction
@@ -124,7 +124,7 @@ def standard_parameters(
     return StandardParameters(
         timing=timing,
         basic=basic,
-        limits=limits[0] if limits else None,
+        ampdu_limits=limits[0] if limits else None,
         slot=slot,
         sifs=sifs,
         aifs=sifs + int(aifsn) * slot,

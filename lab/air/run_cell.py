@@ -116,7 +116,7 @@ def mac_address_of_station(number: int) -> str:
 
 def number_of_stations(job: dict[str, Any]) -> int:
     """Return the number of robots, and of one wired host if the server is not on a robot."""
-    return int(job["hosts"]) + (job["server"] == "wired")
+    return int(job["hosts"]) + int(job["server"] == "wired")
 
 
 def build_station(number: int, stations: int) -> int:

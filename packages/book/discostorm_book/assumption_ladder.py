@@ -99,11 +99,11 @@ def _simulated_rungs() -> Iterator[FleetLimit]:
         if row["step"] in _STEPS and float(row["limit_s"]) == limit:
             on = _STEPS[row["step"]] | ({"aggregation"} if int(row["mpdus"]) > 1 else set())
             fits = int(row["hosts_low"]), int(row["hosts_high"])
-            name, hosts, runs = row["protocol"], int(row["hosts"]), _runs_in_words(row)
+            name, hosts, runs = row["protocol"], int(row["hosts"]), _result_in_words(row)
             yield FleetLimit(frozenset(on), name, hosts, limit, fits=fits, runs=runs)
 
 
-def _runs_in_words(row: dict[str, str]) -> str:
+def _result_in_words(row: dict[str, str]) -> str:
     """Return the result of the runs of a step of the ladder in words."""
     parts = []
     for more, value, runs in ((0, "value", "runs"), (1, "one_more", "one_more_runs")):

@@ -216,7 +216,7 @@ def _format_cell(value: object) -> str:
 def table(
     frame: pd.DataFrame, formats: Mapping[str, str] | None = None, names: Collection[str] = ()
 ) -> Markdown:
-    """Show a table, with formats such as ``.3f``; numbers are on the right, except in ``names``."""
+    """Show a table, formatted by column; numbers align right, except in the columns ``names``."""
     shown = frame.copy().astype(object)
     for column, spec in (formats or {}).items():
         shown[column] = [format(value, spec) for value in frame[column]]

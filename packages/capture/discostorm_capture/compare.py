@@ -44,7 +44,7 @@ class VisibleFleet:
 
 
 def fleet_visible_from(fleet: Fleet, processes: DataFrame) -> VisibleFleet:
-    """Return the fleet as seen from these processes' host, counted in the most similar group."""
+    """Return the fleet as seen from a host of the group most similar to these processes."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
     n, groups = len(processes), fleet.groups
     differences = [(abs(group.processes - n), abs(group.endpoints - mean)) for group in groups]
@@ -140,7 +140,7 @@ def comparison_table(
     kinds = list(dict.fromkeys(message.kind for message in protocol.messages))
     others = [kind for kind in counts.index if kind not in kinds]
     table = counts.reindex(pd.Index([*kinds, *others], name="message")).fillna(0)
-    # A capture without a message that a model sends only at startup shows the steady state.
+    # A capture without the kinds that are sent only at startup shows the steady state.
     again = {message.kind for message in protocol.messages if message.schedule.per_second}
     once = {*kinds} - again
     started = not again or not once or rows["kind"].isin(once).any()

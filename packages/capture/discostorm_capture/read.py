@@ -80,7 +80,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         steps,
         first_packet_time=first,
         recorded_time=last - first - sum(step for _, step in steps),
-        packets_without_messages=carried.n_packets | _packets_without_messages(carried, messages),
+        packets_without_messages=carried.packets | _packets_without_messages(carried, messages),
         gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
         incomplete_datagrams=notes[transport.MISSING_FRAGMENTS_NOTE],
         duplicate_multicast_share=float(copies.mean()) if len(table) else 0.0,
@@ -158,7 +158,7 @@ def _packets_without_messages(carried: IpContent, messages: Columns) -> dict[str
     """Return the number of UDP and TCP packets without a message."""
     frames, udp = messages["frames"].astype(np.float64), messages["udp"]
     parts = {"UDP": frames[udp], "TCP": frames[~udp]}
-    return {name: carried.n_packets[name] - round(float(of.sum())) for name, of in parts.items()}
+    return {name: carried.packets[name] - round(float(of.sum())) for name, of in parts.items()}
 
 
 def _message_table(

@@ -37,7 +37,7 @@ class IpContent:
     #: A table of the module `network_events`.
     network_events: Columns
     #: Number of "ARP", "UDP", "TCP" and "other" packets.
-    n_packets: dict[str, int]
+    packets: dict[str, int]
 
 
 def parse_transport(packets: Packets, notes: Notes) -> IpContent:

@@ -56,7 +56,7 @@ def combine(
     return AggregationRange(join([r.full for r in ranges]), join([r.single for r in ranges]))
 
 
-def drained_range(burst: AggregationRange, steady: AggregationRange) -> AggregationRange:
+def drain_time_range(burst: AggregationRange, steady: AggregationRange) -> AggregationRange:
     """Return the drain time of a burst [s] alongside periodic traffic [1]; infinity if never."""
     full = burst_drain_time(burst.full, steady.full)
     single = burst_drain_time(burst.single, steady.single)

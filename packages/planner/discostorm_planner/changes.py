@@ -11,7 +11,7 @@ from discostorm.messages import Protocol
 from discostorm.model import burst, utilization
 from discostorm.wifi import Radio, Wifi
 from discostorm.wifi.radio import most_mpdus
-from discostorm_planner.aggregation_range import AggregationRange, drained_range
+from discostorm_planner.aggregation_range import AggregationRange, drain_time_range
 
 #: Order in which changes are applied: the multicast rate and the aggregation come after the radio,
 #: so that they hold for the new radio.
@@ -60,7 +60,7 @@ class Setting:
     @property
     def drain_time_range(self) -> AggregationRange:
         """How long startup keeps the channel busy, without losses and collisions [s]."""
-        return drained_range(self.burst_range, self.steady_range)
+        return drain_time_range(self.burst_range, self.steady_range)
 
     def _at_both_ends(self, compute: Callable[[Setting], float]) -> AggregationRange:
         return AggregationRange(compute(replace(self, wifi=self.full_ampdu_wifi)), compute(self))

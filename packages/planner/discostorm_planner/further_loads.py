@@ -10,7 +10,7 @@ from discostorm.data import read_data
 from discostorm.files import json_ready
 from discostorm.messages import DATA, PAPER_WINDOW, Protocol
 from discostorm.protocols import PROTOCOLS
-from discostorm_planner.aggregation_range import AggregationRange, combine, drained_range
+from discostorm_planner.aggregation_range import AggregationRange, combine, drain_time_range
 from discostorm_planner.changes import Setting
 from discostorm_planner.remedy_rules import is_measured
 
@@ -23,7 +23,7 @@ class UserDataLoad:
     data: AggregationRange
     #: Share for data and periodic traffic [1]: decides whether the data fit after discovery.
     with_periodic: AggregationRange
-    #: Share for data and all discovery in the plan's window [1]: decides about startup.
+    #: Share for data and all discovery in the plan's window [1]: whether startup fits.
     with_discovery: AggregationRange
     #: Drain time with data from the beginning, and without data [s]; infinity if the channel
     #: never drains. An upper bound, because robots send data only to discovered processes.
@@ -54,7 +54,7 @@ def user_data_load(setting: Setting, window: float) -> UserDataLoad | None:
         data=data,
         with_periodic=after,
         with_discovery=combine(sum, [data, setting.utilization_range(window)]),
-        drain_time_with_data=drained_range(setting.burst_range, after),
+        drain_time_with_data=drain_time_range(setting.burst_range, after),
         drain_time_alone=setting.drain_time_range,
     )
 

@@ -18,7 +18,7 @@ from discostorm.protocols import DDS
 from discostorm.wifi import PAPER
 from discostorm.wifi.radio import aggregation_bounds
 from discostorm_planner import further_loads
-from discostorm_planner.aggregation_range import combine, drained_range
+from discostorm_planner.aggregation_range import combine, drain_time_range
 from discostorm_planner.change_simulation import MAX_TARGET_S
 from discostorm_planner.changes import SLOTS, Change, Setting
 from discostorm_planner.fleet_changes import fleet_changes, group_suffix, split_changes
@@ -27,7 +27,7 @@ from discostorm_planner.radio_changes import radio_changes
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import MIN_SAVING, inapplicable_remedies, is_gerund, rule_for
 from discostorm_planner.result import Plan, Share
-from discostorm_planner.simulation_jobs import TARGET_S
+from discostorm_planner.simulation_jobs import DEFAULT_WITHIN_S
 
 #: Maximum number of groups: the time to compute their shares grows with the square.
 MAX_GROUPS = 1000
@@ -105,7 +105,7 @@ def plan(
     _checks.instance("fleet", fleet, Fleet)
     protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     seconds = _checks.number("window", window, _checks.MIN_SECONDS, allow_inf=True)
-    given = next((time for time in (within, fleet.within) if time is not None), TARGET_S)
+    given = next((time for time in (within, fleet.within) if time is not None), DEFAULT_WITHIN_S)
     target = _checks.number("within", given, 0, MAX_TARGET_S, exclusive_min=True)
     if fleet.cells:
         raise ValueError(
@@ -201,7 +201,7 @@ def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Re
         range_after=after,
         steady_range=steady,
         window=window,
-        start_window=drained_range(burst, steady).bounds[0],
+        start_window=drain_time_range(burst, steady).bounds[0],
         note=note,
         efforts=tuple(row["effort"] for row in rows),
         steps=tuple(kind for step in steps for kind in step.kinds),

@@ -78,7 +78,7 @@ def time_ratios(protocol: Protocol, with_server: bool = False) -> dict[str, str]
 
     The times were measured on an emulated cell with up to ``hosts`` hosts and ``seconds``, for
     ``measured`` (`air_ratios.csv`): the release, else the product, or clients of that release with
-    a Discovery Server. Without any it is empty, and the range is `UNMEASURED_RATIOS`.
+    a Discovery Server. If none apply: `UNMEASURED_RATIOS`, and ``measured`` is empty.
     """
     rows = read_data("measured/air_ratios.csv", "discostorm_planner")
     named = {r["protocol"]: r for r in rows if bool(r["server"]) == with_server}

@@ -60,7 +60,7 @@ class Setup:
     bursts: BurstSchedule
     #: Radio of the channel; with several cells: the first cell's radio, then every cell's.
     radio: Records
-    #: The cell of each host, and `kinds` with the octets and times of each cell in turn.
+    #: The cell of each host; `kinds` once per cell, with its octets and times.
     cell_of: st.Ints
     kinds_of_cells: Records
     repairs: Records | None

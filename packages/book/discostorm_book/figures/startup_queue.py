@@ -30,7 +30,7 @@ _TIME_LIMITS = {1: "a second", 10: "lease of 10 s", 20: "lease of 20 s"}
 def airtime_demand_data(
     products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]
 ) -> pd.DataFrame:
-    """Return the airtime requested by times after startup, and when the channel goes idle [s]."""
+    """Return the airtime requested up to each time, and when the channel goes idle [s]."""
     requested, idle = [], []
     for hosts in fleets:
         columns = {"hosts": hosts, "what": "requested", "time_s": _TIMES_S}

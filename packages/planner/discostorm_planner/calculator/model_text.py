@@ -52,7 +52,7 @@ def model_data() -> JsValue:
             "product": "Fast DDS",
         },
         "ros": inputs.release_tables(),
-        # The table's name in commands, if it stands for the newest release of its product.
+        # Names for commands of tables whose own name there means a shipped release.
         "exact": {
             r["protocol"]: r["alias"] for r in read_data("vendors/aliases.csv") if r["exact"]
         },

@@ -74,7 +74,7 @@ def table_name_of_change(protocol: Protocol, change: Change) -> str:
 
 
 def name_by_release(table: Protocol) -> str:
-    """Return the name of a table; a server's with other timers has that of its clients' release."""
+    """Return a table's name; with timers of another release, that release replaces the product."""
     if table == ds.PROTOCOLS.get(table.name, table):
         return table.name
     tables = (t for t in ds.PROTOCOLS.values() if t.product == table.product)

@@ -54,7 +54,7 @@ def sessions_per_pair(product: str) -> float:
 
 
 def repeats(product: str, message: str) -> float:
-    """Return the fewest multicasts of a message by a process in the steady state, of all swarms."""
+    """Return how often a process repeats a multicast in the steady state, in the lowest swarm."""
     counted = paper_protocol_of_product(product).message(message)
     key = ("steady", counted.kind, "", "multicast", "")
     return min(
