@@ -15,7 +15,7 @@ from discostorm_planner import remedy_rules
 from discostorm_planner.change_simulation import CAUTION_LOSS, SOFTWARE_EFFORTS, SimulatedChange
 from discostorm_planner.discovery_time import MIN_PAIRS, RUNS, DiscoveryTime
 from discostorm_planner.fleet_changes import hosts_in_words
-from discostorm_planner.simulation_jobs import DEFAULT_WITHIN_S, MOST_PAIRS_SHARE
+from discostorm_planner.simulation_jobs import MOST_PAIRS_SHARE, WITHIN_S
 
 if TYPE_CHECKING:
     from discostorm.fleet import HostGroup
@@ -167,7 +167,7 @@ def _change_blocks(plan: Plan, count: int, all_changes: bool) -> Iterator[list[s
     elif found.surely_works or not enough:
         title = fill("faster") if found.surely_works else shorter
         near = [change for change in shown if all_changes or change not in far]
-        until = _time_text(max(plan.within, DEFAULT_WITHIN_S))
+        until = _time_text(max(plan.within, WITHIN_S))
         yield [title, *_change_lines(plan, near, 1)] if near else [fill("none near", until=until)]
     else:
         first = len(shown) if found.works else 1

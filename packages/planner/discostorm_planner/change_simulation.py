@@ -17,10 +17,10 @@ from discostorm_planner.discovery_time import RUNS, DiscoveryTime
 from discostorm_planner.fleet_changes import compose
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.simulation_jobs import (
-    DEFAULT_WITHIN_S,
     RUNS_IF_LONG,
     SEED,
     TOO_LARGE,
+    WITHIN_S,
     Job,
     Progress,
     WorkMeter,
@@ -221,7 +221,7 @@ def simulate_changes(
     ``staggered``); if none of these does, combinations. Equal arguments give equal results. If
     ``interruptible``, an interrupt ends the simulation with the results so far.
     """
-    job = prepare_job(setting, max(within, DEFAULT_WITHIN_S))
+    job = prepare_job(setting, max(within, WITHIN_S))
     singles = [_prepare_change(setting, r, remedies, within) for r in _pick_remedies(remedies)]
     changes: list[SimulatedChange] = []
     rounded = simulated_fleet(setting.fleet)[1]
@@ -265,7 +265,7 @@ def simulate_unchanged(
     """
     rounded = (simulated_fleet(setting.fleet)[1] for setting in settings)
     found = [DiscoveryResult(within, None, "interrupted", (), r, complete=False) for r in rounded]
-    jobs = [prepare_job(setting, max(within, DEFAULT_WITHIN_S)) for setting in settings]
+    jobs = [prepare_job(setting, max(within, WITHIN_S)) for setting in settings]
     work = _meter(jobs, progress)
     with suppress(KeyboardInterrupt):
         work.add(0.0)
@@ -349,7 +349,7 @@ def _prepare_change(
     fleets = sorted(remedy.fleets, key=lambda fleet: -float(fleet.processes()))
     parts = [replace(changed, fleet=fleet) for fleet in fleets]
     window = remedy_start_window(remedy, within)
-    job = prepare_job(parts[0], max(within, DEFAULT_WITHIN_S), window)
+    job = prepare_job(parts[0], max(within, WITHIN_S), window)
     if "domains" in remedy.steps and isinstance(job, Job):
         # The domains share the channel, so in each domain everything takes longer by the share of
         # the others.
@@ -403,7 +403,7 @@ def _max_hosts_in_time(
         groups = [*fleet.groups]
         groups[place] = replace(largest, hosts=count)
         smaller = replace(setting, fleet=replace(fleet, groups=tuple(groups)))
-        return prepare_job(smaller, max(answer.within, DEFAULT_WITHIN_S))
+        return prepare_job(smaller, max(answer.within, WITHIN_S))
 
     found = _bisect_largest(
         1 if len(fleet.groups) == 1 else 0,  # no host discovers itself

@@ -40,13 +40,9 @@ def format_explanation(plan: Plan, width: int) -> str:
         lines += ["", title]
         for remedy in remedies:
             number += 1
-            if times := _times_of_change(plan, remedy):
-                lines.append(f"{number:2}. {wording.capitalized(times)}.")
-            else:
-                told = wording.join_sentences(remedy.gain_clause("it "), remedy.note)
-                what = wording.capitalized(remedy.what)
-                lines.append(f"{number:2}. {what}. {wording.capitalized(told)}.")
-            lines.append(f"    {remedy.caution()}")
+            told = wording.join_sentences(remedy.gain_clause("it "), remedy.note)
+            what = _times_of_change(plan, remedy) or f"{remedy.what}. {wording.capitalized(told)}"
+            lines += [f"{number:2}. {wording.capitalized(what)}.", f"    {remedy.caution()}"]
     lines += ["", "The same fleet with each measured configuration:"]
     rests_on = [f"- {line}" for line in _basis_lines(plan)]
     basis = ["", "What this rests on:", *rests_on] * bool(rests_on)

@@ -27,7 +27,7 @@ from discostorm_planner.radio_changes import radio_changes
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import MIN_SAVING, inapplicable_remedies, is_gerund, rule_for
 from discostorm_planner.result import Plan, Share
-from discostorm_planner.simulation_jobs import DEFAULT_WITHIN_S
+from discostorm_planner.simulation_jobs import WITHIN_S
 
 #: Maximum number of groups: the time to compute their shares grows with the square.
 MAX_GROUPS = 1000
@@ -105,7 +105,7 @@ def plan(
     _checks.instance("fleet", fleet, Fleet)
     protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     seconds = _checks.number("window", window, _checks.MIN_SECONDS, allow_inf=True)
-    given = next((time for time in (within, fleet.within) if time is not None), DEFAULT_WITHIN_S)
+    given = next((time for time in (within, fleet.within) if time is not None), WITHIN_S)
     target = _checks.number("within", given, 0, MAX_TARGET_S, exclusive_min=True)
     if fleet.cells:
         raise ValueError(

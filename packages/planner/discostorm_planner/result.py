@@ -31,7 +31,7 @@ from discostorm_planner.discovery_time import DiscoveryTime
 from discostorm_planner.further_loads import ConfigurationLoad, RebootAirtime, UserDataLoad
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import MIN_SAVING
-from discostorm_planner.simulation_jobs import DEFAULT_WITHIN_S, Progress
+from discostorm_planner.simulation_jobs import WITHIN_S, Progress
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -129,7 +129,7 @@ class Plan:
     reboot: RebootAirtime | None = None
     band: ErrorBand | None = None
     data: UserDataLoad | None = None
-    within: float = DEFAULT_WITHIN_S
+    within: float = WITHIN_S
     ampdu_frames: int = 1
     cells: tuple[tuple[str, AggregationRange], ...] = ()
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 #: Time without progress after which a run ends, as a multiple of the longest message period [1].
 MAX_IDLE_PERIODS = 3.0
 #: Default target of the discovery time, and minimum simulated time after the last start [s].
-DEFAULT_WITHIN_S = 60.0
+WITHIN_S = 60.0
 #: Number of runs if one run is long, estimated time from which a run is long [s], random seed.
 RUNS_IF_LONG, LONG_RUN_S, SEED = 3, 1.0, 0
 #: Maximum estimated computing time [s] and memory [MB] of a run.
@@ -128,7 +128,7 @@ def prepare_job(
         setting.protocol,
         setting.full_ampdu_wifi,
         until=until,
-        give_up=MAX_IDLE_PERIODS * max(1.0, until / DEFAULT_WITHIN_S),
+        give_up=MAX_IDLE_PERIODS * max(1.0, until / WITHIN_S),
         start=uniform_start(window) if window else start,
     )
     try:

@@ -18,7 +18,7 @@ from discostorm_book.figures import drawing, servers
 from discostorm_book.figures.drawing import Style, book_figure, write_text
 from discostorm_planner import Plan
 from discostorm_planner.discovery_time import RUNS
-from discostorm_planner.simulation_jobs import DEFAULT_WITHIN_S, MAX_IDLE_PERIODS, SEED
+from discostorm_planner.simulation_jobs import MAX_IDLE_PERIODS, SEED, WITHIN_S
 from discostorm_simulation import NoRecovery, simulate
 
 #: Product, in the release that this distribution ships.
@@ -30,7 +30,7 @@ _CHANGE_COLORS = light_colors("change")
 #: Colors and names of a fleet as it is, and of changes after which its startup works or not.
 _MEANINGS = {
     "today": _CHANGE_COLORS["none"],
-    f"works: nine of ten runs end within {DEFAULT_WITHIN_S:g} s": _CHANGE_COLORS["fits"],
+    f"works: nine of ten runs end within {WITHIN_S:g} s": _CHANGE_COLORS["fits"],
     "does not": _CHANGE_COLORS["overloaded"],
 }
 
@@ -80,12 +80,7 @@ def times_by_configuration_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
         try:
             for fleet, hosts in fleets.items():
                 runs = simulate(
-                    hosts,
-                    table,
-                    until=DEFAULT_WITHIN_S,
-                    give_up=MAX_IDLE_PERIODS,
-                    runs=RUNS,
-                    seed=SEED,
+                    hosts, table, until=WITHIN_S, give_up=MAX_IDLE_PERIODS, runs=RUNS, seed=SEED
                 ).convergence_time
                 ends = np.sort(runs)[[4, 5, 8]]
                 row |= {f"{fleet}: median [s]": ends[:2].mean()}

@@ -97,7 +97,7 @@ def input_fields() -> JsValue:
         label, waits = f"Overhead of a frame, {cast}", link.overhead * 1e6
         own.append(input_field(f"{cast}_rate", f"Rate, {cast}", rate.name, link.rate / 1e6, *mega))
         own.append(input_field(f"{cast}_overhead", label, overhead.name, waits, *micro))
-    within = (simulation_jobs.DEFAULT_WITHIN_S, (0, change_simulation.MAX_TARGET_S, True), "s")
+    within = (simulation_jobs.WITHIN_S, (0, change_simulation.MAX_TARGET_S, True), "s")
     return {
         "swarm": group_count_fields(
             "",
@@ -147,7 +147,7 @@ def robot_presets() -> JsValue:
 def simulation_limits() -> JsValue:
     """Return the limits of the simulations in `discostorm_planner.change_simulation`."""
     return {
-        "within": simulation_jobs.DEFAULT_WITHIN_S,
+        "within": simulation_jobs.WITHIN_S,
         "give_up": simulation_jobs.MAX_IDLE_PERIODS,
         "runs": RUNS,
         "few_runs": simulation_jobs.RUNS_IF_LONG,

@@ -43,7 +43,7 @@ from discostorm_planner.configuration_folder import configuration_texts, texts_b
 from discostorm_planner.multi_cell_plan import plan_cells
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.result import TIME_KEYS, simulate_protocols
-from discostorm_planner.simulation_jobs import DEFAULT_WITHIN_S, Progress
+from discostorm_planner.simulation_jobs import WITHIN_S, Progress
 
 #: Estimated computing time from which progress is shown [s].
 _LONG_WORK_S = 2.0
@@ -74,7 +74,7 @@ _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encod
     type=float,
     metavar="SECONDS",
     help="Target discovery time: a startup works if nine of ten simulated runs meet it.  "
-    f"[default: that of the file, else {DEFAULT_WITHIN_S:g}]",
+    f"[default: that of the file, else {WITHIN_S:g}]",
 )
 @click.option("--all", "all_changes", is_flag=True, help="List all changes that we tried.")
 @click.option(
