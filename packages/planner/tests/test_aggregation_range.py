@@ -103,12 +103,11 @@ def test_explanations_have_the_smaller_end_alone() -> None:
     assert low < plan.startup.single
     text = " ".join(plan.why().split())
     assert f"busy for at least {low:.2f} s if nothing is lost. " in text
-    assert "This time assumes full A-MPDUs. " in text
+    assert "The drain time assumes full A-MPDUs. " in text
     assert f"{plan.startup.single:.1f} s" not in text
     assert "one message per frame" not in text
-    # The seconds depend on the aggregation, so a change has its share alone.
-    saved = plan.remedies[0].saved
-    assert f"It cuts the airtime by {saved:.0%}. " in text
+    # Airtime with one frame in each exchange would contradict the simulated times.
+    assert "cuts the airtime" not in text
     paper = ds.plan(plan.fleet, FAST_DDS)
     simulate_protocols([paper])  # without changes, which take longest
     assert "at least" not in " ".join(paper.why().split()).partition("While nodes start")[0]

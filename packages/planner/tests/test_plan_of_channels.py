@@ -155,7 +155,7 @@ def test_a_channel_that_is_just_full_does_not_fit() -> None:
     plan = ds.plan(ds.Fleet.swarm(1, 1, 0), ds.Protocol("own", (message,)), wifi)
     assert plan.utilization == 1
     assert plan.to_dict(simulate=False)["fits"] is False
-    assert "Utilization in the first second: 100%, so discovery does not fit into it." in plan.why()
+    assert "Utilization in the first second: 100%, so discovery does not fit." in plan.why()
     small = ds.plan(FIG3)
     composed = remedy(small, "processes")
     assert composed.utilization < 1

@@ -51,7 +51,7 @@ def test_domains_are_offered_only_where_they_keep_participants_apart() -> None:
         # tests/lab/test_snippets.py runs two domains at one server.
         if "Server" in name:
             assert "of all domains to each other" in arranged[0]
-        assert "splitting onto 2 channels" in {r.what for r in plan.remedies}
+        assert "splitting across 2 channels" in {r.what for r in plan.remedies}
 
 
 def test_of_an_unknown_table_it_is_said_that_nothing_is_known() -> None:

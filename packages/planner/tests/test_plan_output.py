@@ -131,7 +131,7 @@ def test_table_and_json_hold_the_same_numbers() -> None:
     assert read["left_out"] == list(plan.not_applicable) != []
     told = sum(map(len, plan.sections().values()))
     rest = len(plan.remedies) + len(plan.combinations) - told
-    assert f"{rest} changes, the reasons why others are left out" in plan.why()
+    assert f"{rest} changes, why others are left out" in plan.why()
     assert read["fleet"][0]["endpoints"] == 678
     entries, every = read["remedies"] + read["combinations"], plan.remedies + plan.combinations
     assert list(table.index) == [entry["what"] for entry in entries]
@@ -243,10 +243,10 @@ def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
     assert "Here, we extrapolate." in " ".join(beyond.split())
     aggregated = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
     for size, verdict in (
-        (2, "fits into it"),
-        (6, "may fit into it"),
-        (40, "does not fit into it"),
+        (2, "discovery fits"),
+        (6, "discovery may fit"),
+        (40, "discovery does not fit"),
     ):
         said = ds.plan(ds.Fleet.swarm(size, 2, 10), table, aggregated).why()
         assert verdict in " ".join(said.split())
-    assert "discovery fits into it" in ds.plan(ds.Fleet.swarm(2, 1, 5), table).why()
+    assert "discovery fits." in ds.plan(ds.Fleet.swarm(2, 1, 5), table).why()
