@@ -160,8 +160,8 @@ def test_the_simulator_agrees_as_the_chapter_says() -> None:
                 apart[point["release"]].append(max(ratio, 1 / ratio))
     shipped = ("fast_dds-2.6.12", "fast_dds-2.14.6", "fast_dds-3.6.2")
     for releases, points, agreeing, typical in (
-        (agree, 45, 36, 1.09),
-        (shipped, 31, 29, 1.07),
+        (agree, 50, 39, 1.08),
+        (shipped, 36, 32, 1.07),
         (["fast_dds-2.9.1"], 7, 5, 1.26),
         (["cyclone_dds-0.10.5"], 7, 2, 2.58),
     ):
@@ -237,10 +237,12 @@ def test_the_caution_for_cyclone_dds_tells_what_was_measured() -> None:
 
 def test_the_simulated_server_agrees_with_real_ones() -> None:
     """Also where answers without delay keep a server's clients from discovering each other."""
-    served = [p for p in POINTS if p["server"]]
+    served = [p for p in POINTS if p["server"] == "wired"]
     (late,) = (p for p in served if not p["t95_s"])
     assert (late["release"], late["ampdu"], late["simulated_t95_s"]) == ("fast_dds-2.9.1", "0", "")
-    newer = [p for p in served if p["release"] != "fast_dds-2.9.1"]
+    humble = [p for p in served if p["release"] == "fast_dds-2.6.12"]
+    assert [p["finished"] for p in humble] == ["1"] * 3
+    newer = [p for p in served if p["release"] in ("fast_dds-2.14.6", "fast_dds-3.6.2")]
     assert len(newer) == 6
     for point in newer:
         assert 1 / 1.3 < float(point["t95_s"]) / float(point["simulated_t95_s"]) < 1.3
@@ -268,7 +270,7 @@ def test_one_constant_decides_whether_eight_robots_finish() -> None:
     [shipped, slow] = [
         [row for row in TRUSTED if row["edp_answers"] == answers] for answers in ("", "slow")
     ]
-    same = {"release": "fast_dds-2.6.12", "hosts": "8", "ampdu": "0", "sender": "waits"}
+    same = {"release": "fast_dds-2.6.12", "hosts": "8", "ampdu": "0", "sender": "waits", "server": ""}
     of_eight = [
         [row["t100_s"] for row in rows if all(row[n] == v for n, v in same.items())]
         for rows in (shipped, slow)
