@@ -185,7 +185,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "server_number",
             "the server or router that others look for at 10.77.0.101 does not",
             "10.77.0.101 at port 11811: 3 hosts sent it",
-            "its number (`fastdds discovery -i`) must be its position in that list",
+            "its number (`fastdds discovery -i`) must be its position in ROS_DISCOVERY_SERVER",
         ),
         (
             "no_password",
@@ -418,7 +418,7 @@ def test_the_times_in_samples_show_a_clock_that_is_not_set() -> None:
     found = diagnosis("clock_not_set")
     (first,) = found.findings
     assert (found.complete, first.kind, first.hosts) == (True, "clock differs", ("10.77.0.3",))
-    assert first.evidence.endswith("10.77.0.3 is 90 minutes behind the others")
+    assert first.evidence.endswith("10.77.0.3's clock is 90 minutes behind others")
     assert "Set the clock of 10.77.0.3" in found.summary()
 
 
