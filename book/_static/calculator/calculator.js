@@ -686,7 +686,7 @@
       make("span", { class: "calc-what" }, `${capitalized(what)}: `),
       `${before} → ${after}. `,
       make("data", { value: String(time.median), "data-of": `simulated ${change.steps.join(" and ")} of ${change.name}`, hidden: "" }),
-      make("span", { class: "calc-hint" }, `Effort: ${takes}. Trade-off: ${cost}.${note && ` ${capitalized(note)}.`}${doubtful}`),
+      make("span", { class: "calc-hint" }, `Effort: ${takes}. Trade-offs: ${cost}.${note && ` ${capitalized(note)}.`}${doubtful}`),
     );
     if (!window) item.append(make("button", { type: "button", "data-apply": kind, "aria-label": `Apply: ${what}` }, "Apply"));
     for (const { where, version, text } of paste) {

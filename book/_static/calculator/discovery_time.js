@@ -215,7 +215,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return { grade: Number(!works(time, within)) * 2, title: say("reboot", { time: seconds(middle), kept }) };
   }
 
-  /** How the changes are listed: titles, each with its changes, and what is said of the others: answer_text._changes. */
+  /** How the changes are listed: titles, each with its changes, and what is said of the others: answer_text._change_blocks. */
   function advice({ today, changes, within, caution, ratios, fewer }) {
     const known = helpful({ today, changes, within, caution, ratios }).sort(compare(within));
     const enough = known.filter((change) => suffices(change, within));

@@ -171,8 +171,9 @@ class Remedy:
         rest = ""
         low, high = self.steady_range.bounds
         if not wording.below_capacity(high):
-            never = "may never fit" if wording.below_capacity(low) else "never fits"
-            share = wording.percent(low if never == "never fits" else high)
+            may = wording.below_capacity(low)
+            never = "may never fit" if may else "never fits"
+            share = f"up to {wording.percent(high)}" if may else wording.percent(low)
             rest = f" Periodic traffic still needs {share} of the channel, so the fleet {never}."
         elif self.kind == "combination" and self.verdict == "does not fit":
             rest = f" Spread the starts over {wording.duration(self.start_window)}."
