@@ -19,12 +19,12 @@ def fleet(groups: int) -> ds.Fleet:
 
 def test_of_many_groups_the_five_that_matter_are_named() -> None:
     plan = ds.plan(fleet(12))
-    assert plan.why().count("- Traffic with g") == 5
-    assert "- Traffic with 7 further groups: at most" in plan.why()
+    assert plan.why().count("- From or to g") == 5
+    assert "- From or to 7 further groups: at most" in plan.why()
     shares = [share.share for share in plan.shares_of_kind("group")]
     assert len(shares) == 12
     assert all(one >= another for one, another in pairwise(shares))
-    assert "- Traffic with 1 further group: at most" in ds.plan(fleet(6)).why()
+    assert "- From or to 1 further group: at most" in ds.plan(fleet(6)).why()
     assert "further group" not in ds.plan(fleet(5)).why()
 
 
