@@ -154,7 +154,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   }
 
   /** The runs that `nine` counts: all, if there are fewer than ten. */
-  const mostRuns = (runs) => (runs >= RULES.runs ? "nine of ten runs" : runs > 2 ? `all ${runs} runs` : "both runs");
+  const mostRuns = (runs) => (runs >= RULES.runs ? "nine of ten runs" : ["", "the only run", "both runs"][runs] ?? `all ${runs} runs`);
 
   /** The discovery time after a change, in how many runs leases expire, and that after the smallest change that is enough. */
   function afterWords({ time, enough }) {

@@ -295,7 +295,8 @@ def time_after(change: SimulatedChange) -> str:
 
 def _most_runs(runs: int) -> str:
     """Name the runs that `DiscoveryTime.nine_of_ten` counts: all, if there are fewer than ten."""
-    return "nine of ten runs" if runs >= RUNS else f"all {runs} runs" if runs > 2 else "both runs"
+    few = {1: "the only run", 2: "both runs"}.get(runs, f"all {runs} runs")
+    return "nine of ten runs" if runs >= RUNS else few
 
 
 def _lease_counts(time: DiscoveryTime) -> dict[str, int]:
