@@ -8,10 +8,16 @@
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/log/Log.hpp>
+#if __has_include(<fastdds/config.hpp>)  // 3.0 or newer
+#include <fastdds/dds/core/ReturnCode.hpp>
+constexpr auto OK = eprosima::fastdds::dds::RETCODE_OK;
+#else
+#include <fastrtps/config.h>
 #include <fastrtps/types/TypesBase.h>
+const auto OK = eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK;
+#endif
 
 using namespace eprosima::fastdds::dds;
-using Code = eprosima::fastrtps::types::ReturnCode_t;
 
 namespace {
 
@@ -30,14 +36,18 @@ int main(int argc, char** argv) {
     }
     auto* factory = DomainParticipantFactory::get_instance();
     if (argc == 3 && std::strcmp(argv[2], "static") == 0) {
+#if defined(FASTRTPS_VERSION_MINOR) && FASTRTPS_VERSION_MINOR < 9
+        return refused("this release cannot check a list of endpoints");
+#else
         std::string file = std::string("file://") + argv[1];
-        return factory->check_xml_static_discovery(file) == Code::RETCODE_OK
+        return factory->check_xml_static_discovery(file) == OK
                    ? 0
                    : refused("not a list of endpoints");
+#endif
     }
     DomainParticipant* participant = nullptr;
     if (argc == 3) {
-        if (factory->load_XML_profiles_file(argv[1]) != Code::RETCODE_OK) {
+        if (factory->load_XML_profiles_file(argv[1]) != OK) {
             return refused("not a file of profiles");
         }
         participant = factory->create_participant_with_profile(0, argv[2]);

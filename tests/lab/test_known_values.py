@@ -176,7 +176,6 @@ PLACES = {
     "fast_dds_server.sh": ["192.168.1.10:11811"],
     "fast_dds_server.xml": ["192.168.1.10:11811"],
     "fast_dds_client.sh": ["192.168.1.10:11811"],
-    "fast_dds_client.xml": ["192.168.1.10:11811"],
     "fast_dds_two_servers.sh": ["192.168.1.10:11811", "192.168.1.11:11811"],
     "fast_dds_client_of_two.sh": ["192.168.1.10:11811", "192.168.1.11:11811"],
     "zenoh_router.json5": ["0.0.0.0:7447"],

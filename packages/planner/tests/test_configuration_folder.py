@@ -63,7 +63,8 @@ def test_each_host_gets_addresses_domain_and_units_for_a_discovery_server(tmp_pa
         variables = (folder / host / "etc" / "ros2_discovery.env").read_text()
         assert 'ROS_DISCOVERY_SERVER="192.168.1.9:11811"' in variables
         assert 'ROS_DOMAIN_ID="5"' in variables
-        ElementTree.parse(folder / host / "etc" / "fast_dds_tools.xml")
+    for tools in ("super_client.sh", "super_client.xml"):
+        assert "192.168.1.9" in (folder / "by_hand" / f"fast_dds_{tools}").read_text()
     unit = (folder / "server/etc/systemd/system/fast-dds-server.service").read_text()
     assert "/opt/ros/humble/setup.bash && exec fastdds discovery -i 0 -l 192.168.1.9 -p 118" in unit
     text = (folder / "README.md").read_text()

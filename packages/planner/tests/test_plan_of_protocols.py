@@ -231,7 +231,7 @@ def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
     assert (found.protocol, found.note) == (server, "")
     assert found.utilization == ds.utilization(server, NAV2)
     assert found.failure_mode.startswith("late joiners stay undiscovered while the server is down")
-    assert {s.file for s in found.snippets} >= {"fast_dds_server.sh", "fast_dds_client.xml"}
+    assert {s.file for s in found.snippets} >= {"fast_dds_server.sh", "fast_dds_client.sh"}
     # The paper's DDS is compared with the configuration by the product's measured table.
     papers = remedy(ds.plan(NAV2, ds.DDS), "discovery server")
     assert papers.before == ds.utilization(fast_dds, NAV2)
