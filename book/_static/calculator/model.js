@@ -1126,7 +1126,7 @@ return {
 ],
 "discovery": {
 "within": 60,
-"give_up": 3,
+"give_up": 20,
 "runs": 10,
 "few_runs": 3,
 "long_run": 1,

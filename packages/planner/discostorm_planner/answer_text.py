@@ -98,6 +98,7 @@ def _verdict_lines(plan: Plan) -> list[str]:
         "lost": format_share(today.lost),
         "runs": str(len(today.times)),
         "late": str(sum(map(math.isinf, today.times))),
+        "finished": str(sum(map(math.isfinite, today.times))),
         "forgetful": str(today.expired_lease_runs),
     }
     if today.is_lower_bound and math.isfinite(today.median):
@@ -106,8 +107,8 @@ def _verdict_lines(plan: Plan) -> list[str]:
         lines.append(fill("busy", **values))
     elif math.isinf(today.median):
         share = format_share(median(today.pairs_done or (0.0,)))
-        missed = "never in time" if plan.within < today.simulated_seconds else "never"
-        lines = [fill(missed, **values)]
+        key = "never in time" if plan.within < today.simulated_seconds else "never"
+        lines = [fill("seldom" if math.isfinite(today.times[0]) else key, **values)]
         if today.pairs_done:
             lines.append(fill("share of pairs", share=share, **values))
     else:
@@ -124,10 +125,14 @@ def _verdict_lines(plan: Plan) -> list[str]:
     loses_much = today.repaired and today.lost > CAUTION_LOSS
     if not found.works and (loses_much or math.isinf(today.nine_of_ten)):
         causes = today.slowdown_causes(plan.steady_range.full)
+        causes = [cause for cause in causes if cause != "leases end" or not today.expired_lease_runs]
         lines.append(" ".join(fill(cause, **values) for cause in causes))
     if plan.data:
         airtime = wording.duration(plan.data.with_periodic.bounds[0])
         lines.append(fill(f"data {plan.data.with_periodic.verdict}", airtime=airtime))
+        startup = plan.data.with_discovery
+        if plan.data.with_periodic.verdict != "does not fit" == startup.verdict:
+            lines.append(fill("data late", airtime=wording.duration(startup.bounds[0])))
     return [line for line in lines if line]
 
 
@@ -185,7 +190,7 @@ def _change_blocks(plan: Plan, count: int, all_changes: bool) -> Iterator[list[s
         if shown[first:]:
             yield [fill("then"), *_change_lines(plan, shown[first:], first + len(easier) + 1)]
         if more := [change for change in listed if all_changes and change not in best]:
-            yield [shorter, *_change_lines(plan, more, len(best) + 1)]
+            yield [fill("shorter", within=within), *_change_lines(plan, more, len(best) + 1)]
     possible = () if found.surely_works or enough or all_changes else found.possibly_sufficient[:1]
     for change in possible:
         yield [fill("possible", names=_change_with_time(change))]
@@ -377,8 +382,8 @@ def _certainty_lines(plan: Plan, all_changes: bool) -> list[str]:
         ratios = remedy_rules.time_ratios(table)
         known = today is not None and math.isfinite(today.median)
         measured = [("not compared", ratios)] * known
-        served = any(remedy_rules.uses_server_of(c.remedy.protocol, table) for c in found.helpful)
-        if served:
+        shown = found.helpful if all_changes or not found.sufficient else found.sufficient
+        if any(remedy_rules.uses_server_of(c.remedy.protocol, table) for c in shown):
             own = remedy_rules.time_ratios(table, with_server=True)
             measured.append(("server not compared", own))
         sure += {fill("air" if r["measured"] else key, **r): 0 for key, r in measured}

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from discostorm_simulation.run import Setup
 
 #: Time without progress after which a run ends, as a multiple of the longest message period [1].
-MAX_IDLE_PERIODS = 3.0
+MAX_IDLE_PERIODS = 20.0
 #: Default target of the discovery time, and minimum simulated time after the last start [s].
 WITHIN_S = 60.0
 #: Number of runs if one run is long, estimated time from which a run is long [s], random seed.

@@ -68,7 +68,9 @@ class RunOptions:
         late = len(known) - len(in_time)
         missing = f", in {late} of them {self.not_observed_text}" if late else ""
         taken = wording.time_range(in_time[0], in_time[-1])
-        return f"Your robots know each other after {taken} ({runs}{missing})."
+        lost = int((found.counts["expired"] > 0).sum())
+        forget = f" Leases of running robots expire in {lost} of the runs." if lost else ""
+        return f"Your robots know each other after {taken} ({runs}{missing}).{forget}"
 
 
 def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
