@@ -170,7 +170,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (steady >= 1) return say("periodic traffic fills");
     const most = Math.max(...time.lostAt);
     const losses = ["robots lose", "access point loses", "air loses"][time.lostAt.indexOf(most)];
-    return [most ? say(losses, values) : "", median(time.expired) > RULES.many_expired ? say("leases end") : ""].filter(Boolean).join(" ");
+    return [most ? say(losses, values) : "", !time.forgetful && median(time.expired) > RULES.many_expired ? say("leases end") : ""].filter(Boolean).join(" ");
   }
 
   /** The verdict, how good it is (0 works, 1 not sure, 2 too slow, 3 never), and the sentences below. */
@@ -183,7 +183,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     }
     const late = today.times.filter((time) => time === Infinity).length;
     const [middle, nine] = [seconds(today.median), seconds(today.nine)];
-    Object.assign(values, { until: seconds(today.until), median: middle, low: middle, nine, lost: share(today.lost), runs: today.times.length, late });
+    Object.assign(values, { until: seconds(today.until), median: middle, nine, lost: share(today.lost), runs: today.times.length, late });
     values.forgetful = today.forgetful;
     values.most = mostRuns(values.runs);
     if (today.isLowerBound && today.median < Infinity) {
@@ -194,7 +194,8 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const stop = fine || (today.nine < Infinity && today.lost <= RULES.few_lost) ? [] : [causes(today, steady, values)];
     if (today.median === Infinity) {
       if (today.pairs.length) lines.push(say("share of pairs", { ...values, share: share(median(today.pairs)) }));
-      return { grade: 3, title: say(within < today.until ? "never in time" : "never", values), lines: [...lines, ...stop] };
+      const missed = within < today.until ? "never in time" : "never";
+      return { grade: 3, title: say(late < today.times.length ? "seldom" : missed, values), lines: [...lines, ...stop] };
     }
     const sure = suffices({ time: today, caution, ratios }, within);
     const failed = today.nine > within ? "too slow" : "forgotten";
@@ -279,7 +280,9 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
     if (today?.median < Infinity) sure.push(say(ratios.measured ? "air" : "not compared", ratios));
     const longer = today?.median < Infinity && ratios.measured && today.median > Number(ratios.seconds);
-    if (helpful({ today, changes, within, caution, ratios }).some((change) => change.ratios === server)) sure.push(say(server.measured ? "air" : "server not compared", server));
+    const known = { today, changes, within, caution, ratios };
+    const shown = sufficient(known).length ? sufficient(known) : helpful(known);
+    if (shown.some((change) => change.ratios === server)) sure.push(say(server.measured ? "air" : "server not compared", server));
     if (longer) sure.push(say("watched", ratios));
     for (const { name, ...ends } of rounded) {
       const [mean, whole] = [ends.mean.toFixed(1), ends.whole.toFixed(1)];

@@ -92,13 +92,11 @@ def _verdict_lines(plan: Plan) -> list[str]:
     values |= {
         "until": _time_text(today.simulated_seconds),
         "median": _time_text(today.median),
-        "low": _time_text(today.median),
         "nine": _time_beyond(today.nine_of_ten, plan.within),
         "most": _most_runs(len(today.times)),
         "lost": format_share(today.lost),
         "runs": str(len(today.times)),
         "late": str(sum(map(math.isinf, today.times))),
-        "finished": str(sum(map(math.isfinite, today.times))),
         "forgetful": str(today.expired_lease_runs),
     }
     if today.is_lower_bound and math.isfinite(today.median):
@@ -125,7 +123,6 @@ def _verdict_lines(plan: Plan) -> list[str]:
     loses_much = today.repaired and today.lost > CAUTION_LOSS
     if not found.works and (loses_much or math.isinf(today.nine_of_ten)):
         causes = today.slowdown_causes(plan.steady_range.full)
-        causes = [cause for cause in causes if cause != "leases end" or not today.expired_lease_runs]
         lines.append(" ".join(fill(cause, **values) for cause in causes))
     if plan.data:
         airtime = wording.duration(plan.data.with_periodic.bounds[0])

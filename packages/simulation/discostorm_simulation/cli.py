@@ -61,11 +61,10 @@ class RunOptions:
     def answer(self, found: ds.Simulation) -> str:
         """State in one or two sentences when discovery is complete."""
         runs = wording.count_noun(self.runs, "run")
-        known = sorted(found.convergence_time.tolist())
-        in_time = [time for time in known if time < float("inf")]
+        in_time = sorted(time for time in found.convergence_time.tolist() if time < float("inf"))
         if not in_time:
             return f"Your robots do not all know each other {self.not_observed_text[4:]} ({runs})."
-        late = len(known) - len(in_time)
+        late = self.runs - len(in_time)
         missing = f", in {late} of them {self.not_observed_text}" if late else ""
         taken = wording.time_range(in_time[0], in_time[-1])
         lost = int((found.counts["expired"] > 0).sum())

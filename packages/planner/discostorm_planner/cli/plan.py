@@ -188,8 +188,7 @@ def _simulate_plan(answer: ds.Plan) -> None:
     low = answer.startup.bounds[0]
     busy = "Periodic traffic alone fills the channel."
     if math.isfinite(low):
-        least = wording.time_range(low, low)
-        busy = f"If nothing is lost, startup keeps the channel busy for at least {least}."
+        busy = f"Today's startup needs at least {wording.time_range(low, low)} of airtime."
     with _progress_bar(f"{busy} Simulating it and its changes.") as show:
         answer.simulate(show, interruptible=True)
 
@@ -238,8 +237,7 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
         if answer.discovery.surely_works:
             print_paragraph(answer_text.fill("nothing to write"))
             return
-        enough = (c.name for c in answer.discovery.sufficient if c.remedy.snippets)
-        name = next(enough, None)
+        name = next((c.name for c in answer.discovery.sufficient if c.remedy.snippets), None)
         if name is None:
             raise ValueError(answer_text.fill("nothing written"))
     remedy = _find_configured(answer, name)
@@ -273,8 +271,7 @@ def _set_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float |
     count = len(fleet.groups)
     of_groups = nodes if isinstance(nodes, list) else [nodes] * count
     if len(of_groups) != count:
-        told = f"one number, or one per group ({count}); got {nodes}"
-        raise ValueError(f"nodes must be {told}")
+        raise ValueError(f"nodes must be one number, or one per group ({count}); got {nodes}")
     groups = []
     for group, given in zip(fleet.groups, of_groups, strict=True):
         own, many = group.shared, group.nodes if given is None else given
