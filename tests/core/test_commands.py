@@ -28,7 +28,7 @@ def test_utilization_for_people() -> None:
     result = swarm("utilization", "--protocol|paper")
     assert result.exit_code == 0
     heading, rule, dds, zenoh, _, channel = result.output.splitlines()
-    assert channel == "Channel: paper (802.11n), one access point, infrastructure."
+    assert channel == "Channel: paper (802.11n), one access point in infrastructure mode."
     assert heading.split() == [
         "protocol", "hosts", "processes", "endpoints", "utilization", "fits",
     ]  # fmt: skip

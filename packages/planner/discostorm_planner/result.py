@@ -259,8 +259,8 @@ class Plan:
         airtime = [r for r in of_kind.values() if "research" not in r.efforts][:_MAX_EXPLAINED]
         parts = [c.remedy for c in found.changes if c.time and not c.remedy.all_discover]
         sections = {
-            "Changes, in the order of the answer:": [change.remedy for change in found.helpful],
-            "Changes by airtime, as no discovery time was simulated:": (
+            "Changes, in the same order as above:": [change.remedy for change in found.helpful],
+            "Changes by airtime, because no discovery time was simulated:": (
                 [] if found.today or found.helpful else airtime
             ),
             "Changes after which some hosts no longer discover each other:": parts,
