@@ -296,7 +296,7 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ("utilization|--hosts|7", "give --processes, --endpoints, or --fleet FILE"),
+        ("utilization|--hosts|7", "give --processes and --endpoints, --fleet FILE"),
         (
             "utilization|--hosts|a|--processes|1|--endpoints|1",
             "'--hosts': must be one or more comma-separated numbers",
@@ -334,7 +334,7 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
         ),
         ("breakdown|--hosts|1,2|--processes|1|--endpoints|1", "--hosts must be one number here"),
         ("saturation|--processes|2", "give --endpoints, or --fleet FILE"),
-        ("saturation|--endpoints|10", "give --processes, or --fleet FILE"),
+        ("saturation|--endpoints|10", "give --processes, --fleet FILE"),
         (
             "saturation|fleet.toml|--endpoints|10",
             "--fleet cannot be combined with --processes, --endpoints and --robot",

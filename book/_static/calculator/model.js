@@ -1154,7 +1154,7 @@ return {
 "works": "Yes, this startup works: {fleet} discover each other within {within} ({how}).",
 "works in simulations": "Not sure: in simulations, {fleet} discover each other within {within} ({how}). But {caution}.",
 "probably": "Probably: in simulations, {fleet} discover each other within {within} ({how}). But {slower}.",
-"forgotten": "No: {fleet} discover each other within {within} ({how}), but in {forgetful} of {runs} runs leases expire, and robots forget each other.",
+"forgotten": "No: {fleet} discover each other within {within} ({how}), but leases expire in {forgetful} of {runs} runs, and robots forget each other.",
 "too slow": "No, not within {within}: {fleet} need longer to discover each other ({how}).",
 "never": "No: {fleet} do not complete discovery within {until} ({how}).",
 "never in time": "No, not within {within}: {fleet} do not complete discovery even within {until} ({how}).",

@@ -271,7 +271,7 @@ class Plan:
         """Return the best change of a kind, or the change with a given description.
 
         Kinds have other names, too (``data/vendors/change_names.csv``). What a plan adds to a
-        description, such as ", at random within 10 s", may stay.
+        description, such as ", at random times within 10 s", may stay.
         """
         remedies = (*self.remedies, *self.combinations, *self.staggered)
         named: dict[str, Remedy] = {}
@@ -311,7 +311,9 @@ class Plan:
 
 def _bare_name(name: str) -> str:
     """Return a change's name in lower case, without article, plural, window and number."""
-    name = re.sub(r"(?i), at random within .*| or fewer\b|^(an?|another|the) ", "", name.strip())
+    name = re.sub(
+        r"(?i), at random times within .*| or fewer\b|^(an?|another|the) ", "", name.strip()
+    )
     return _names.normalize(re.sub(r"(processes\b.* into) \d+", r"\1 1", name)).removesuffix("s")
 
 

@@ -121,7 +121,7 @@ def plan(
             width = min(max(shutil.get_terminal_size().columns, 40), 79)
             click.echo(visible(plans[0].advice(width, all_changes=all_changes)))
             hints = ["why"] * (not why) + ["all"] * (not all_changes)
-            if hints and not (fleet.all_wired or fleet.hosts() == 1):
+            if hints and not (plans[0].all_wired or fleet.hosts() == 1):
                 click.echo(wording.wrap(" ".join(map(answer_text.fill, hints)), width))
             if why:
                 click.echo("\n" + visible(plans[0].why(width)))
