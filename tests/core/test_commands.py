@@ -333,7 +333,7 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
             "--multicast-rate must be 6, 12 or 24 Mbit/s for 5 GHz; got 5 Mbit/s",
         ),
         ("breakdown|--hosts|1,2|--processes|1|--endpoints|1", "--hosts must be one number here"),
-        ("saturation|--processes|2", "give --endpoints, or --fleet FILE"),
+        ("saturation|--processes|2", "give --endpoints, --fleet FILE"),
         ("saturation|--endpoints|10", "give --processes, --fleet FILE"),
         (
             "saturation|fleet.toml|--endpoints|10",
