@@ -79,6 +79,11 @@ def _reboot_lines(plan: Plan) -> list[str]:
     return [fill("reboot", time=_time_text(late.median), kept=kept)]
 
 
+def verdict(plan: Plan) -> str:
+    """Return whether the startup works, in a sentence."""
+    return _verdict_lines(plan)[0]
+
+
 def _verdict_lines(plan: Plan) -> list[str]:
     """Return whether the startup works, how long discovery takes, and what stops it."""
     found, today = plan.discovery, plan.discovery.today
