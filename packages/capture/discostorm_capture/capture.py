@@ -269,9 +269,11 @@ class Capture:
         from discostorm_capture.diagnosis.hosts import parse_expected_hosts
 
         hosts = parse_expected_hosts(expected)
+        rows = self._messages_between_hosts()
+        rows = rows.assign(airtime_s=self.airtime(), user=counts.user_data_shares(rows))
         messages, events = (
             observations.remove_clock_steps(table, self._recording)
-            for table in (self._messages_between_hosts(), self._network_events)
+            for table in (rows, self._network_events)
         )
         if self._recording.clock_steps:
             messages = messages.sort_values("time", kind="stable")

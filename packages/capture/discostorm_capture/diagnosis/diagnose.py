@@ -181,6 +181,7 @@ class Diagnosis:
         if self.complete is not None and len(self._hosts) > 1:
             limits = [one for one in limits if one.kind in UNDECIDED_KINDS]
         reported = [*self.wrong, *happened, *limits]
+        happened += [one for one in limits if one.kind == UNDECIDED_KINDS[-1]]
         headline = happened[0].summary if happened and not self.wrong else ""
         sentences = [to_sentence(headline), self._describe_state()]
         if reported:
@@ -220,6 +221,8 @@ class Diagnosis:
         time = self.complete_at
         when = f" after {time:.{1 if time >= 1 else 2}f} s" if time >= 0.01 else " within 10 ms"
         when = when if np.isfinite(time) else ""
+        if any(one.kind == UNDECIDED_KINDS[-1] for one in self.findings):
+            return f"Only pairs with {obs.vantage_host} know each other{when} ({count})."
         return f"Discovery is {state}: {count} know each other{when}{seen}."
 
     def to_dict(self) -> dict[str, Any]:
@@ -252,7 +255,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     losses = [] if lost else list(traffic.frame_loss(evidence))
     if obs.recording.truncated_share > LIMITS.max_truncated_share:
         causes, losses = list(connectivity.different_domains(evidence)), []
-    if any(one.kind == "heavy loss" for one in losses):
+    if any(one.kind in ("heavy loss", "weak link") for one in losses):
         # Drop broken directions between two hosts: heavy loss can look like them.
         causes = [one for one in causes if one.kind != "one direction of pairs"]
     causes = causes or list(unauthenticated_pairs(evidence))
@@ -262,7 +265,11 @@ def diagnose(obs: Observations) -> Diagnosis:
     others = run_rules("other", evidence)
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
     findings = [*causes, *losses, *others]
-    findings.sort(key=lambda one: list(finding_kinds()).index(one.kind))
+    absent = {host for one in findings if one.kind.startswith("missing") for host in one.hosts}
+    order = [*finding_kinds()]
+    findings.sort(key=lambda one: order.index(one.kind))
+    # First what is wrong with the missing hosts, such as a server that was not started there.
+    findings.sort(key=lambda one: one.kind.startswith("missing") or not {*one.hosts} & absent)
     wrong = [one for one in findings if one.about == "fleet"]
     limits += [one for one in findings if one.about == "capture"]
     limits += topics.unknown_qos(evidence)

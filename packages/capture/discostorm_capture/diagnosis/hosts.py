@@ -142,11 +142,17 @@ def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
     there = {*obs.host_first_last, *arp, *obs.announced_addresses}
     requests: dict[str, dict[str, int]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
+        by_it = obs.network_events[obs.network_events["sender"].eq(asker)]
+        idle = asker not in obs.host_first_last and by_it["receiver"].eq(target).all()
+        often = len(times) >= LIMITS.min_requests and np.ptp(times) >= LIMITS.timeout
+        used = obs.subnet_neighbors(asker, obs.hosts_of(sorted(obs.servers)))
+        if idle and often and used and target not in there:
+            yield Finding.of("wrong server", (asker,), len(times), target, used)
         known = asker in obs.host_first_last or obs.messages.empty
         if known and target not in there and np.ptp(times) >= LIMITS.timeout:
             requests.setdefault(target, {})[asker] = len(times)
     for target, counts in requests.items():
-        kind, text = "server down" if obs.messages.empty else "absent", ", and no answer came"
+        kind, text = "server off" if obs.messages.empty else "absent", ", and no answer came"
         if target in obs.process_host and not obs.subnet_neighbors(target, counts):
             kind, text = "no route", f"{text}; others announced a process there"
             if near := obs.subnet_neighbors(target, sorted(obs.announced_addresses)):
@@ -192,7 +198,8 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
             text += f"; {join_names(silent)} sent other packets, so the host is on the network"
         if asks := [f"{by} asked for {of}" for by, of in obs.unanswered_arp if by in silent]:
             text += f"; {join_names(asks)} by ARP, and got no answer"
-        yield Finding("missing", absent, text)
+        kind = "missing" if len(silent) < len(absent) else "missing, but on"
+        yield Finding("missing, wrong address" if asks else kind, absent, text)
 
 
 def _format_mac(number: int) -> str:

@@ -178,6 +178,8 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
             at, kind, text = [join_names([*ends[of]]) for of in (writer, reader)], "QoS differs", ""
             if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
                 kind, text = "types differ", _type_difference(writer, reader, *at)
+                if is_rtps and writer.type == reader.type:
+                    kind = "definitions differ"
             elif {writer.transport, reader.transport} == {"UDP", "TCP"}:
                 kind = "transports differ"
                 text = say("transports", at[0], writer.transport, at[1], reader.transport)
