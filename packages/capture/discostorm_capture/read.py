@@ -194,28 +194,24 @@ def _message_table(
     return pd.DataFrame(named | {"frames": messages["frames"]})
 
 
-def _names_by_protocol(
-    protocol_of_row: Array, numbers: Array, names: Sequence[Sequence[str]]
-) -> Any:
+def _names_by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
     """Return a categorical of names, given numbers that start from 0 for each protocol."""
     first = np.cumsum([0, *map(len, names[:-1])])
-    return categorical(first[protocol_of_row] + numbers, [name for part in names for name in part])
+    return categorical(first[protocol] + numbers, [name for part in names for name in part])
 
 
 def _event_table(events: Columns, since: Array, addresses: list[str]) -> DataFrame:
     """Return the network events with names instead of numbers."""
     import pandas as pd
 
-    return pd.DataFrame(
-        {
-            "time": since[events["frame"]],
-            "frame": events["frame"] + 1,
-            "kind": categorical(events["kind"], network_events.EVENT_KINDS),
-            "sender": categorical(events["source"], addresses),
-            "receiver": categorical(events["target"], addresses),
-            "port": events["port"],
-        }
-    )
+    table = {
+        "time": since[events["frame"]],
+        "frame": events["frame"] + 1,
+        "kind": categorical(events["kind"], network_events.EVENT_KINDS),
+        "sender": categorical(events["source"], addresses),
+        "receiver": categorical(events["target"], addresses),
+    }
+    return pd.DataFrame(table | {"port": events["port"]})
 
 
 def _endpoint_table(dissections: list[Dissection]) -> DataFrame:

@@ -152,9 +152,8 @@ class Diagnosis:
         _checks.integer("most", most, 1)
         rows, until = self._evidence.obs.messages, self._evidence.obs.end
         if np.isfinite(self.complete_at):
-            until = min(
-                until, max(LIMITS.min_timeline_time, LIMITS.timeline_factor * self.complete_at)
-            )
+            shown = LIMITS.timeline_factor * self.complete_at
+            until = min(until, max(LIMITS.min_timeline_time, shown))
             rows = rows[rows["time"] <= until]
         step, keys = 0.0, ["time", "sender", "receiver", "kind", "multicast", "ends"]
         groups = rows.groupby(keys, observed=True, sort=False)
@@ -162,10 +161,12 @@ class Diagnosis:
             step = 2 * step or MIN_STEP
             steps = (rows["time"] // step).rename("step")
             groups = rows.groupby([steps, "sender", "kind", "ends"], observed=True, sort=False)
-        table = groups.agg(
-            time_s=("time", "first"), messages=("bytes", "size"), bytes=("bytes", "sum")
-        )
-        table = table.reset_index().rename(columns={"sender": "host"})
+        sums = {
+            "time_s": ("time", "first"),
+            "messages": ("bytes", "size"),
+            "bytes": ("bytes", "sum"),
+        }
+        table = groups.agg(**sums).reset_index().rename(columns={"sender": "host"})
         for column in ("host", "kind", "receiver", "multicast"):
             table[column] = table[column].astype(object) if column in table else None
         table = table.sort_values("time_s", kind="stable").iloc[:most][TIMELINE_COLUMNS]
@@ -266,20 +267,17 @@ def diagnose(obs: Observations) -> Diagnosis:
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
     findings = [*causes, *losses, *others]
     absent = {host for one in findings if one.kind.startswith("missing") for host in one.hosts}
-    order = [*finding_kinds()]
-    findings.sort(key=lambda one: order.index(one.kind))
+    findings.sort(key=lambda one: [*finding_kinds()].index(one.kind))
     # First what is wrong with the missing hosts, such as a server that was not started there.
     findings.sort(key=lambda one: one.kind.startswith("missing") or not {*one.hosts} & absent)
     wrong = [one for one in findings if one.about == "fleet"]
     limits += [one for one in findings if one.about == "capture"]
     limits += topics.unknown_qos(evidence)
-    happened = [one for one in events if one.about == "event"]
+    happened = [one for one in (*events, *others) if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
     announced = obs.time[obs.isin("kind", *STARTUP_KINDS) & ~obs["ends"]]
-    over = (
-        obs.recording.recorded_time - announced.max(initial=0.0) > LIMITS.min_quiet_time
-        and obs.end > 0
-    )
+    quiet = obs.recording.recorded_time - announced.max(initial=0.0)
+    over = obs.end > 0 and quiet > LIMITS.min_quiet_time
     return Diagnosis(
         findings=(*wrong, *happened, *limits),
         complete=_is_complete(evidence, bool(wrong), {one.kind for one in limits}),

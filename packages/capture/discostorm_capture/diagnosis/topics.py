@@ -68,11 +68,9 @@ def service_problems(evidence: Evidence) -> Iterator[Finding]:
         known = rows["product"].isin(["Fast DDS", "Cyclone DDS"])
         foreign = rows[client & known & ~rows["product"].isin(rows["product"][~client])]
         if len(foreign) and known[~client].any():
-            own, other = (rows["product"][one].unique() for one in (~client, foreign.index))
+            own, its = (rows["product"][one].unique() for one in (~client, foreign.index))
             callers = foreign["host"].unique()
-            yield Finding.of(
-                "services differ", (*hosts, *callers), name, hosts, own, callers, other
-            )
+            yield Finding.of("services differ", (*hosts, *callers), name, hosts, own, callers, its)
 
 
 def different_distributions(evidence: Evidence) -> Iterator[Finding]:

@@ -111,11 +111,12 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     text = say("loss", when.min(), when.max(), again, sent, share, low, high)
     ((host, most),) = ends.most_common(1)
     if len(ends) > 2 and most >= LIMITS.min_share_of_one_host * again:
-        own, all_lost = most / total[host], wording.percent(most / again)
-        text += say("loss at one host", all_lost, host, wording.percent(own), total[host])
-        # A server, or the host that recorded, has a part in all frames.
-        apart = total[host] < LIMITS.min_share_of_one_host * sent
-        if apart and own >= LIMITS.min_weak_share and evidence.channel_use < LIMITS.max_channel_use:
+        text += f"; {wording.percent(most / again)} of these frames were from or to {host}"
+        # A server, or the host that recorded, has a part in all frames; an outage loses few.
+        apart = total[host] < LIMITS.min_share_of_one_host * sent and most >= LIMITS.min_repeats
+        own, full = most / total[host], evidence.channel_use >= LIMITS.max_channel_use
+        if apart and own >= LIMITS.min_weak_share and not full:
+            text += f", about {wording.percent(own)} of its {total[host]:,} frames"
             yield Finding("weak link", (host,), text)
             return
     yield Finding("heavy loss" if heavy else "loss", (), text)
@@ -413,32 +414,29 @@ def repeated_multicast(evidence: Evidence) -> Iterator[Finding]:
         again = int((asks & obs.isin("receiver", host)).sum())
         if again >= max(LIMITS.min_messages, LIMITS.min_repaired_share * to_all):
             yield Finding.of("data by multicast", (host,), to_all, again)
-            continue
-        rows = data & obs["multicast"] & obs.isin("sender", host)
-        rate = 8e-6 * obs["bytes"][rows].sum() / max(obs.end, LIMITS.timeout)
-        lasts = len(np.unique(obs.seq[rows])) >= LIMITS.min_stream_samples
-        if lasts and rate >= LIMITS.max_multicast_rate:
-            yield Finding.of("stream by multicast", (host,), *_largest_stream(evidence, rows), rate)
 
 
 def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the host that sends most user data, if unicast data takes half of the channel."""
-    obs = evidence.obs
-    rows = ~obs["multicast"] & (obs["user"] > 0)
-    share = (obs["airtime_s"] * obs["user"])[rows].sum() / max(obs.end, LIMITS.timeout)
-    if share >= LIMITS.max_channel_use:
-        what, host, most = _largest_stream(evidence, rows & ~obs.isin("submessage", "ACKNACK"))
-        yield Finding.of("data fills channel", (host,), what, host, most, wording.percent(share))
-
-
-def _largest_stream(evidence: Evidence, rows: Array) -> tuple[str, str, str]:
-    """Return the topic with the most airtime, its host, and its share of the channel."""
+    """Yield the host with the largest stream, if samples by multicast or unicast fill a channel."""
     obs, ends, sender = evidence.obs, evidence.endpoints, evidence.obs.messages["sender"].cat
-    flows = obs.rows_by(rows, sender.codes.to_numpy(), obs.sender_index, obs["writer"])
-    most, key = max((obs["airtime_s"][of].sum(), key) for key, of in flows.items())
-    topics = ends["topic"][ends["index"].eq(key[1]) & ends["entity"].eq(key[2])].map(ros_topic)
-    share = wording.percent(most / max(obs.end, LIMITS.timeout))
-    return "".join(topics[:1]) or "data", str(sender.categories[key[0]]), share
+    seconds = obs["airtime_s"] * obs["user"] * ~obs.isin("submessage", "ACKNACK")
+    lossy = {one.hosts for one in repeated_multicast(evidence)}
+    limits = {"stream by multicast": LIMITS.max_multicast_use, "much data": LIMITS.max_channel_use}
+    for (kind, limit), cast in zip(limits.items(), (True, False), strict=True):
+        rows = (seconds > 0) & (obs["multicast"] == cast)
+        if seconds[rows].sum() < limit * max(obs.end, LIMITS.timeout):
+            continue
+        flows = obs.rows_by(rows, sender.codes.to_numpy(), obs.sender_index, obs["writer"])
+        largest, key = max((seconds[of].sum(), key) for key, of in flows.items())
+        topics = ends["topic"][ends["index"].eq(key[1]) & ends["entity"].eq(key[2])].map(ros_topic)
+        shares = [wording.percent(one / obs.end) for one in (largest, seconds[rows].sum())]
+        host = str(sender.categories[key[0]])
+        # A map or another single large sample is no stream.
+        if (
+            len(np.unique(obs.seq[flows[key]])) >= LIMITS.min_stream_samples
+            and (host,) not in lossy
+        ):
+            yield Finding.of(kind, (host,), "".join(topics[:1]) or "its data", *shares)
 
 
 def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
@@ -452,10 +450,14 @@ def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
         long = np.flatnonzero(np.diff(sent) > LIMITS.max_transit)
         pause = sent[long], sent[long + 1]
         after = pause[1], pause[1] + LIMITS.max_burst_pause
-        masks = (beats & obs.isin("receiver", host), own & acks & ~lacks, own & acks & lacks)
+        to_it, good, bad = (
+            beats & obs.isin("receiver", host),
+            own & acks & ~lacks,
+            own & acks & lacks,
+        )
+        spans = (to_it, pause), (good, after), (bad, after)
         asked, good, bad = (
-            np.diff(np.searchsorted(obs.time[mask], span), axis=0)[0]
-            for mask, span in zip(masks, (pause, after, after), strict=True)
+            np.diff(np.searchsorted(obs.time[of], at), axis=0)[0] for of, at in spans
         )
         late = (asked >= LIMITS.min_unanswered) & (good > 0) & (bad == 0)
         if late.sum() >= LIMITS.min_calls:
