@@ -127,15 +127,8 @@ class Diagnosis:
         former a message [s], infinite if never; the number of endpoints ``sent`` to it.
         """
         host, name = self._evidence.obs.process_host, self._evidence.obs.processes.index
-        rows = [
-            (
-                *host[[*pair.processes]],
-                *name[[*pair.processes]],
-                pair.first_contact,
-                pair.n_announced,
-            )
-            for pair in self._evidence.incomplete_pairs
-        ]
+        ends = [([*pair.processes], pair) for pair in self._evidence.incomplete_pairs]
+        rows = [(*host[of], *name[of], one.first_contact, one.n_announced) for of, one in ends]
         columns = ["of", "by", "of_process", "by_process", "heard_s", "sent"]
         return pd.DataFrame(rows, columns=columns)
 
@@ -259,10 +252,10 @@ def diagnose(obs: Observations) -> Diagnosis:
     if any(one.kind in ("heavy loss", "weak link") for one in losses):
         # Drop broken directions between two hosts: heavy loss can look like them.
         causes = [one for one in causes if one.kind != "one direction of pairs"]
-    causes = causes or list(unauthenticated_pairs(evidence))
+    causes = causes or list(unexplained_pairs(evidence, "not authenticated"))
     losses = losses or ([] if causes or lost else list(traffic.multicast_loss(evidence)))
     if not (causes or losses or limits):
-        causes = list(unexplained_incomplete_pairs(evidence))
+        causes = list(unexplained_pairs(evidence, "incomplete"))
     others = run_rules("other", evidence)
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
     findings = [*causes, *losses, *others]
@@ -305,23 +298,12 @@ def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | No
     return not lacking
 
 
-def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
-    """Yield incomplete pairs with DDS Security, for which there is no other cause."""
-    obs = evidence.obs
-    pairs = [pair.processes for pair in evidence.incomplete_pairs]
-    pairs = [pair for pair in pairs if {*pair} & obs.secured_processes]
-    ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
-    if pairs:
-        hosts = obs.hosts_of(process for pair in pairs for process in pair)
-        counts = len(pairs), len(evidence.expected_pairs)
-        yield Finding.of("not authenticated", hosts, *counts, [*ends])
-
-
-def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
-    """Yield incomplete pairs, for which there is no cause at all."""
+def unexplained_pairs(evidence: Evidence, kind: str) -> Iterator[Finding]:
+    """Yield incomplete pairs, those with DDS Security or all, for which there is no other cause."""
     obs, pairs = evidence.obs, evidence.incomplete_pairs
-    ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
+    if kind == "not authenticated":
+        pairs = [pair for pair in pairs if {*pair.processes} & obs.secured_processes]
+    ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair.processes))) for pair in pairs)
     if pairs:
-        hosts = obs.hosts_of(pair.observer for pair in pairs)
-        counts = len(pairs), len(evidence.expected_pairs)
-        yield Finding.of("incomplete", hosts, *counts, [*ends])
+        hosts = obs.hosts_of(process for pair in pairs for process in pair.processes)
+        yield Finding.of(kind, hosts, len(pairs), len(evidence.expected_pairs), [*ends])

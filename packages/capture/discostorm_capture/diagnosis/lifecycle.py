@@ -89,12 +89,12 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
                 text = say("crash", host, when, obs.recording.recorded_time)
                 endless = np.isinf(obs.processes["lease"].to_numpy()[dead]).any()
-                kind = "endless lease" if endless else "crash"
+                since = when - LIMITS.late_delivery
                 # The system of a process that crashes closes its connections.
-                rows = obs.isin("sender", host) & (obs.time >= when - LIMITS.late_delivery)
-                if vanished.get(host, 0.0) > when - LIMITS.late_delivery:
-                    kind = kind if obs["ends"][rows].any() else "out of range"
-                yield Finding(kind, (host,), text)
+                ends = obs["ends"] & obs.isin("sender", host) & (obs.time >= since)
+                gone = vanished.get(host, 0.0) > since and not ends.any()
+                kind = "endless lease" if endless else "crash"
+                yield Finding("out of range" if gone else kind, (host,), text)
 
 
 def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:

@@ -129,16 +129,6 @@ class Observations:
                 times.setdefault((asker, target), []).append(time)
         return times
 
-    def responds(self, host: str, since: float) -> bool | None:
-        """Return whether a host sent a packet after a time; False if it ignores ARP, else None."""
-        own, arp = self.network_events["sender"].eq(host), self.events("ARP request")
-        last = self.host_first_last.get(host, (0.0, -np.inf))[1]
-        last = self.network_events["time"][own].to_numpy().max(initial=last)
-        asked = (arp["receiver"].eq(host) & (arp["time"] > last)).sum()
-        if last >= since - LIMITS.max_transit:  # an ARP reply comes before the call
-            return True
-        return False if asked >= LIMITS.min_unanswered else None
-
     @cached_property
     def hosts_refused_by_all(self) -> set[str]:
         """Hosts that search for each other only at ports which all refuse."""

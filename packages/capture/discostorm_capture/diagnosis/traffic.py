@@ -270,6 +270,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
 def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
     """Yield Zenoh routers that refuse connections or do not answer."""
     peers = {*obs.process_host} - {*obs.process_host[obs.is_server]}
+    arp = obs.event_tuples("ARP request", "ARP reply")
     calls = obs.event_tuples("connection", "refused", "unanswered", "unreachable")
     taken = {(host, port): time for kind, _, host, port, time in calls if kind == "connection"}
     tries = Counter(row[1:4] for row in calls if row[0] == "connection")
@@ -329,8 +330,13 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             text = f"connections to port {ZENOH_PORT} by {by}: {text}"
             if (host, port) in taken:
                 text += f"; the last one was accepted after {taken[host, port]:.1f} s"
-            responds = obs.responds(host, min(times)) if {*kinds} == {"unanswered"} else None
-            kind = {True: "server firewall", False: "server off", None: "server down"}[responds]
+            last = max([time for _, of, *_, time in arp if of == host], default=-np.inf)
+            last = max(last, obs.host_first_last.get(host, (0.0, last))[1])
+            asked, kind = [row for row in arp if row[2] == host and row[4] > last], "server down"
+            if {*kinds} == {"unanswered"} and last >= min(times) - LIMITS.max_transit:
+                kind = "server firewall"  # it answered ARP just before the first call, or later
+            elif {*kinds} == {"unanswered"} and len(asked) >= LIMITS.min_unanswered:
+                kind = "server off"
             yield Finding(kind, (host,), f"{host}: {text}")
 
 
@@ -431,11 +437,8 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
         topics = ends["topic"][ends["index"].eq(key[1]) & ends["entity"].eq(key[2])].map(ros_topic)
         shares = [wording.percent(one / obs.end) for one in (largest, seconds[rows].sum())]
         host = str(sender.categories[key[0]])
-        # A map or another single large sample is no stream.
-        if (
-            len(np.unique(obs.seq[flows[key]])) >= LIMITS.min_stream_samples
-            and (host,) not in lossy
-        ):
+        lasts = len(np.unique(obs.time[flows[key]].astype(np.int64)))
+        if lasts >= LIMITS.min_stream_seconds and (host,) not in lossy:
             yield Finding.of(kind, (host,), "".join(topics[:1]) or "its data", *shares)
 
 
