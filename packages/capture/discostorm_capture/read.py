@@ -234,24 +234,23 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
     names = [*addresses, ""]
     times = [since[p.first_frame] if p.first_frame >= 0 else np.nan for p in processes]
     announced = [" ".join(names[a] for a in p.announced_addresses) for p in processes]
-    return pd.DataFrame(
-        {
-            "protocol": [PROTOCOLS[p.protocol] for p in processes],
-            "product": [p.product for p in processes],
-            "host": [names[p.host] for p in processes],
-            "endpoints": [p.endpoints for p in processes],
-            "time": times,
-            "server": np.array([p.is_server for p in processes], bool),
-            "domain": np.array([p.domain for p in processes], np.int64),
-            "announces": announced,
-            "lease": np.array([p.lease for p in processes], np.float64),
-            "tag": [p.domain_tag for p in processes],
-            "version": np.array([p.version for p in processes], np.int64),
-            "static": np.array([p.static for p in processes], bool),
-            "secured": np.array([p.has_credentials for p in processes], bool),
-        },
-        index=pd.Index([p.name for p in processes], name="process", dtype=object),
-    )
+    table = {
+        "protocol": [PROTOCOLS[p.protocol] for p in processes],
+        "product": [p.product for p in processes],
+        "host": [names[p.host] for p in processes],
+        "endpoints": [p.endpoints for p in processes],
+        "time": times,
+        "server": np.array([p.is_server for p in processes], bool),
+        "domain": np.array([p.domain for p in processes], np.int64),
+        "announces": announced,
+        "lease": np.array([p.lease for p in processes], np.float64),
+        "tag": [p.domain_tag for p in processes],
+        "version": np.array([p.version for p in processes], np.int64),
+        "static": np.array([p.static for p in processes], bool),
+        "secured": np.array([p.has_credentials for p in processes], bool),
+    }
+    index = pd.Index([p.name for p in processes], name="process", dtype=object)
+    return pd.DataFrame(table, index=index)
 
 
 def _note_sentences(

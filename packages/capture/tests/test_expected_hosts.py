@@ -107,7 +107,9 @@ def test_a_missing_host_that_asks_for_an_address_in_vain_is_told_with_it() -> No
     first = capture.diagnosis(HOSTS).findings[0]
     assert (first.kind, first.hosts) == ("missing, wrong address", ("10.77.0.3",))
     assert "10.77.0.3 asked for 10.77.0.200 by ARP, and got no answer" in first.evidence
-    assert first.advice.startswith("Correct the address of the server, router or peer on 10.77.0.3")
+    assert first.advice.startswith(
+        "On 10.77.0.3, correct the address of the server, router or peer"
+    )
 
 
 def test_what_is_wrong_with_a_missing_host_comes_before_general_checks() -> None:

@@ -134,13 +134,13 @@ def simulate(
 
     FLEET is a fleet file in TOML; `discostorm plan --help` describes the format. Radios put up to
     64 frames for one receiver into an A-MPDU, if their standard allows it. With recovery (the
-    default), messages trigger answers and the middleware repairs losses. A time that a run does
-    not reach is null in JSON and empty in CSV. We do not simulate recovery with a server on a
-    robot; the answer is then the drain time.
+    default), messages trigger answers and the middleware repairs losses. For a server on a robot,
+    we do not simulate recovery, and the answer is the drain time. Times beyond the end of a run
+    are null in JSON and empty in CSV.
 
     If FLEET lists topics ([[groups.data]]), hosts publish on them during discovery, and each run is
     repeated without topics. A second table shows the samples' delays and the share of frames that
-    arrived. Without recovery, hosts publish from their start to the end.
+    arrived. Without recovery, hosts publish until the end of the run.
 
     "Drained" is the end of the burst's last transmission, and "lost" the share of frames that never
     arrived. "Converged" is the time at which every process knows all others and their endpoints.

@@ -149,7 +149,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     vain = {pair: count for pair, count in failed.items() if pair in apart and pair[::-1] in found}
     if vain:
         times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}
-        calls = [f"{caller} called {called} {count}" for (caller, called), count in times.items()]
+        calls = [f"{caller} called {called} ({count})" for (caller, called), count in times.items()]
         yield Finding.of("no TCP", [*dict.fromkeys(called for _, called in vain)], calls)
 
 
@@ -262,8 +262,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
         text = f"{hosts[index]} announces itself, answers no other host, and none answers it"
         first = {host: obs.host_first_last[host][0] for host in hosts}
         stopped = first.pop(hosts[index]) - max(first.values()) >= LIMITS.timeout
-        text += say("multicast stopped") if stopped else ""
-        text += _describe_arp_replies(obs, hosts[index])
+        text += f"{say("multicast stopped") * stopped}{_describe_arp_replies(obs, hosts[index])}"
         yield Finding("multicast stopped" if stopped else "cut off", (hosts[index],), text)
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
@@ -374,8 +373,7 @@ def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
         begin, late = max((obs.host_first_last.get(host, (0.0,))[0], host) for host in ends)
         last = max(sent.get(ends, -np.inf), sent.get(ends[::-1], -np.inf))
         if last < begin:
-            since = f" since {last:.1f} s" if np.isfinite(last) else ""
-            texts[late] = say("sends nothing to", late, begin, ends[ends[0] == late], since)
+            texts[late] = say("sends nothing to", late, begin, ends[ends[0] == late])
     if texts:
         yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
 

@@ -137,7 +137,7 @@ def looping_bridges(evidence: Evidence) -> Iterator[Finding]:
     for pair in combinations(counts, 2):
         if {pair, pair[::-1]} <= links:
             text = join_names([say("bridged", of, *counts[of]) for of in pair], "; ")
-            yield Finding("bridges in a loop", pair, f"{text}, also to each other")
+            yield Finding("bridges in a loop", pair, f"{text}; they also sent these to each other")
 
 
 def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:
@@ -175,9 +175,9 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
         for writer, reader in product(writers, readers):
             at, kind, text = [join_names([*ends[of]]) for of in (writer, reader)], "QoS differs", ""
             if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
-                kind, text = "types differ", _type_difference(writer, reader, *at)
-                if is_rtps and writer.type == reader.type:
-                    kind = "definitions differ"
+                text = _type_difference(writer, reader, *at)
+                named = is_rtps and writer.type == reader.type  # DDS matches types by name
+                kind = "definitions differ" if named else "types differ"
             elif {writer.transport, reader.transport} == {"UDP", "TCP"}:
                 kind = "transports differ"
                 text = say("transports", at[0], writer.transport, at[1], reader.transport)
@@ -195,7 +195,7 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
                 hosts = found[kind].setdefault(f"{name}: {text}", set())
                 hosts.update(ends[writer], ends[reader])
     for kind, texts in found.items():
-        more = f" (and {len(texts) - MAX_TOPICS} more)" if len(texts) > MAX_TOPICS else ""
+        more = f"; and {len(texts) - MAX_TOPICS} more" if len(texts) > MAX_TOPICS else ""
         text = "; ".join([*texts][:MAX_TOPICS]) + more
         yield Finding(kind, tuple(sorted(set().union(*texts.values()))), text)
 
@@ -213,8 +213,8 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
                 is_service = both["topic"].iloc[0].startswith("rq/")
                 verbs = ("offered", "called") if is_service else ("read", "written")
                 named = zip(both["topic"].map(ros_topic), both["writer"], both["host"], strict=True)
-                text = [f"{topic} is {verbs[writes]} by {host}" for topic, writes, host in named]
-                yield Finding("topic names", (*both["host"].unique(),), f"{join_names(text)} only")
+                text = [f"{topic} is only {verbs[use]} (by {host})" for topic, use, host in named]
+                yield Finding("topic names", (*both["host"].unique(),), join_names(text))
 
 
 def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
