@@ -130,10 +130,8 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
     apart = {host: one for host, one in apart.items() if abs(one) >= LIMITS.min_clock_difference}
     if apart:  # without a majority, each clock may be the wrong one
         hosts = tuple(sorted(clocks if 2 * len(apart) >= len(clocks) else apart))
-        ways = {host: "behind" if one < 0 else "ahead of" for host, one in apart.items()}
-        said = [
-            f"{h}'s clock is {wording.duration(abs(apart[h]))} {ways[h]} the others" for h in ways
-        ]
+        ways = {host: "behind the" if one < 0 else "ahead of the" for host, one in apart.items()}
+        said = [f"{h}'s clock is {wording.duration(abs(apart[h]))} {ways[h]} others" for h in ways]
         yield Finding.of("clock differs", hosts, said)
 
 
