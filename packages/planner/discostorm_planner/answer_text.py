@@ -387,8 +387,8 @@ def _certainty_lines(plan: Plan, all_changes: bool) -> list[str]:
         ratios = remedy_rules.time_ratios(table)
         known = today is not None and math.isfinite(today.median)
         measured = [("not compared", ratios)] * known
-        shown = found.helpful if all_changes or not found.sufficient else found.sufficient
-        if any(remedy_rules.uses_server_of(c.remedy.protocol, table) for c in shown):
+        listed = found.helpful if all_changes or not found.sufficient else found.sufficient
+        if any(remedy_rules.uses_server_of(c.remedy.protocol, table) for c in listed):
             own = remedy_rules.time_ratios(table, with_server=True)
             measured.append(("server not compared", own))
         sure += {fill("air" if r["measured"] else key, **r): 0 for key, r in measured}

@@ -262,7 +262,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
         text = f"{hosts[index]} announces itself, answers no other host, and none answers it"
         first = {host: obs.host_first_last[host][0] for host in hosts}
         stopped = first.pop(hosts[index]) - max(first.values()) >= LIMITS.timeout
-        text += f"{say("multicast stopped") * stopped}{_describe_arp_replies(obs, hosts[index])}"
+        text += f"{say('multicast stopped') * stopped}{_describe_arp_replies(obs, hosts[index])}"
         yield Finding("multicast stopped" if stopped else "cut off", (hosts[index],), text)
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):

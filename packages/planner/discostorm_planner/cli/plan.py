@@ -137,10 +137,7 @@ def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
 
 @contextmanager
 def _progress_bar(busy: str) -> Iterator[tuple[Progress, Callable[[str], None]]]:
-    """Print on standard error what takes long and, on a terminal, a progress bar.
-
-    Yields a function that advances the bar, and one that prints what is known meanwhile.
-    """
+    """Print what takes long, and a bar on a terminal; yield what shows progress, and what tells."""
     given, live = click.get_current_context().params, is_live_terminal()
     plain = not (given["as_json"] or given["as_csv"])
     with ExitStack() as shown:
