@@ -144,8 +144,8 @@ def fleet_source(
         if "hosts" in counts and counts["hosts"] is None:
             raise click.UsageError("--robot needs --hosts, the number of these robots")
     elif missing := [f"--{name}" for name, value in counts.items() if value is None]:
-        flags = ", ".join(missing)
-        raise click.UsageError(f"give {flags}, or --fleet FILE, or --robot NAME")
+        flags = wording.join_words(missing)
+        raise click.UsageError(f"give {flags}, --fleet FILE, or --robot NAME")
     return file if fleet is None else fleet
 
 

@@ -14,7 +14,7 @@ from discostorm.wifi.channel import PAPER_LINKS, Link, OfdmSymbols, Wifi
 from discostorm.wifi.standard import GIGA, MEGA, MICRO, StandardParameters, standard_parameters
 
 #: The topology of every channel.
-TOPOLOGY = "one access point, infrastructure"
+TOPOLOGY = "one access point in infrastructure mode"
 
 #: Maximum number of frames in an A-MPDU of two stations that aggregate by default, as all from
 #: 802.11n on do: the block acknowledgement window of 802.11n and ac (``data/wifi/ampdu.csv``).

@@ -160,7 +160,7 @@ def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
     shown = show.Advice(plan)
     markdown, html = shown._repr_markdown_(), shown._repr_html_()
     assert unescape(re.sub(r"[*]", "", markdown)).split() == plan.why().split()
-    assert "**Changes, in the order of the answer:**\n\n1. " in markdown
+    assert "**Changes, in the same order as above:**\n\n1. " in markdown
     # The table of configurations keeps its columns.
     for found in plan.configurations:
         assert f"\n    {found.name} " in markdown

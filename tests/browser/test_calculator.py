@@ -1044,7 +1044,7 @@ def test_one_after_the_other_is_the_plans_change(tab: Page, middleware: str) -> 
     assert change.time is not None
     assert numbers["simulated median"] == change.time.median
     assert numbers["simulated nine"] == change.time.nine_of_ten
-    within = f"at random within {change.start_window:g}"
+    within = f"at random times within {change.start_window:g}"
     assert within in words(tab.locator("#calc-answer").inner_text())
 
 

@@ -28,7 +28,7 @@ def test_utilization_for_people() -> None:
     result = swarm("utilization", "--protocol|paper")
     assert result.exit_code == 0
     heading, rule, dds, zenoh, _, channel = result.output.splitlines()
-    assert channel == "Channel: paper (802.11n), one access point, infrastructure."
+    assert channel == "Channel: paper (802.11n), one access point in infrastructure mode."
     assert heading.split() == [
         "protocol", "hosts", "processes", "endpoints", "utilization", "fits",
     ]  # fmt: skip
@@ -296,7 +296,7 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ("utilization|--hosts|7", "give --processes, --endpoints, or --fleet FILE"),
+        ("utilization|--hosts|7", "give --processes and --endpoints, --fleet FILE"),
         (
             "utilization|--hosts|a|--processes|1|--endpoints|1",
             "'--hosts': must be one or more comma-separated numbers",
@@ -333,8 +333,8 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
             "--multicast-rate must be 6, 12 or 24 Mbit/s for 5 GHz; got 5 Mbit/s",
         ),
         ("breakdown|--hosts|1,2|--processes|1|--endpoints|1", "--hosts must be one number here"),
-        ("saturation|--processes|2", "give --endpoints, or --fleet FILE"),
-        ("saturation|--endpoints|10", "give --processes, or --fleet FILE"),
+        ("saturation|--processes|2", "give --endpoints, --fleet FILE"),
+        ("saturation|--endpoints|10", "give --processes, --fleet FILE"),
         (
             "saturation|fleet.toml|--endpoints|10",
             "--fleet cannot be combined with --processes, --endpoints and --robot",

@@ -361,7 +361,7 @@ def test_saturation_says_whether_the_given_hosts_fit() -> None:
         ("saturation x.toml --hosts 3", "--fleet cannot be combined with --hosts"),
         (
             "breakdown --hosts 2",
-            "give --processes, --endpoints, or --fleet FILE, or --robot",
+            "give --processes and --endpoints, --fleet FILE, or --robot",
         ),
     ],
 )

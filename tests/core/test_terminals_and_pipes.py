@@ -92,7 +92,7 @@ def test_networks_that_are_not_covered_are_refused_with_the_reason(name: str, wh
     assert found.exit_code == 2
     said = " ".join(found.stderr.split())
     assert f"{what} is not covered" in said or f"{what} are not covered" in said
-    assert "one access point, infrastructure" in said
+    assert "one access point in infrastructure mode" in said
     (row,) = (row for row in read_data("wifi/uncovered_networks.csv") if row["what"] == what)
     assert row["why"] in said
     limits = (ROOT / "book" / "limits.md").read_text(encoding="utf-8")
@@ -103,7 +103,7 @@ def test_networks_that_are_not_covered_are_refused_with_the_reason(name: str, wh
 @pytest.mark.parametrize("command", ["utilization", "breakdown", "saturation"])
 def test_every_answer_names_the_kind_of_network(command: str) -> None:
     said = run(command, "fleet.toml").stdout
-    assert "paper (802.11n), one access point, infrastructure." in " ".join(said.split())
+    assert "paper (802.11n), one access point in infrastructure mode." in " ".join(said.split())
 
 
 @pytest.mark.parametrize(

@@ -91,7 +91,7 @@ def transmission_table(found: Any) -> Any:
 def check_first_sentence(summary: str, cause: str, evidence: str, action: str) -> None:
     """Check that the first sentence of a diagnosis has a cause, and evidence and action follow."""
     first, rest = summary.split(f": {cause}", 1)
-    assert first.startswith("Discovery is not healthy")
+    assert first.startswith(("Discovery is not healthy", "Discovery is neither healthy nor"))
     assert "complete and over" not in first
     assert evidence in rest
     assert action in rest

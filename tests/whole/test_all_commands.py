@@ -143,7 +143,7 @@ def test_claims() -> None:
     [
         (
             "plan",
-            "give --hosts, --processes, --endpoints, or --fleet FILE, or --robot NAME",
+            "give --hosts, --processes and --endpoints, --fleet FILE, or --robot NAME",
         ),
         ("plan|", "path must name a TOML file; got ''"),
         ("plan|fleet.toml|--nodes|many", "'--nodes': must be one or more comma-separated numbers"),

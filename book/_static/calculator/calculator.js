@@ -428,7 +428,7 @@
       const needed = Math.min(...["full", "single"].map((end) => F[MODEL.drain]({ B: burst[end], rho: steady[end] })));
       return Math.max(1, Math.ceil(Math.min(needed, within / 2)));
     };
-    const inTurnWords = (window) => `starting one after the other, at random within ${DiscoveryTimes.seconds(window)}`;
+    const inTurnWords = (window) => `starting one after the other, at random times within ${DiscoveryTimes.seconds(window)}`;
     const aboutOf = ({ of }, name) => of[MODEL.protocols[name].family] ?? of.None;
     // The same change and a staggered start, if any is long enough: discostorm_planner.plan._with_staggered_start.
     const joined = (change, way) => {
@@ -586,9 +586,9 @@
     const drain = `If nothing is lost, startup keeps the channel busy for ${busyFor(front.full.drain, front.drain)}.`;
     if (!found?.known) return { title: `Simulating whether discovery is complete within ${DiscoveryTimes.seconds(within)} …`, lines: byCell(swarm) ? [] : [drain] };
     const { today, reason } = found;
-    const name = channel.name === OWN ? "your own channel" : channel.name;
+    const name = channel.name === OWN ? "your own channel" : DiscoveryTimes.inWords(channel.name);
     const { name: protocol, protocol: { caution, ratios } } = front;
-    const wifi = swarm.cells > 1 ? `${FleetFile.joined(swarm.cells)}: ${name}` : name;
+    const wifi = swarm.cells > 1 ? `${name} at ${FleetFile.joined(swarm.cells)}` : name;
     // Too many processes for the page to count those of each cell, as the command does.
     if (byCell(swarm) && !found.airtime) return { grade: 1, title: DiscoveryTimes.say("not simulated", { reason }), lines: [] };
     const busy = byCell(swarm) ? busiest(settings, found) : { drain: Math.min(front.full.drain, front.drain), steady: front.full.steady };
@@ -714,7 +714,7 @@
       make("span", { class: "calc-what" }, `${capitalized(what)}: `),
       `${before} → ${after}. `,
       make("data", { value: String(time.median), "data-of": `simulated ${change.steps.join(" and ")} of ${change.name}`, hidden: "" }),
-      make("span", { class: "calc-hint" }, `Effort: ${takes}. Trade-offs: ${cost}.${note && ` ${capitalized(note)}.`}${doubtful}`),
+      make("span", { class: "calc-hint" }, `Effort: ${takes}. Trade-off${cost.includes("; ") ? "s" : ""}: ${cost}.${note && ` ${capitalized(note)}.`}${doubtful}`),
     );
     if (!window) item.append(make("button", { type: "button", "data-apply": kind, "aria-label": `Apply: ${what}` }, "Apply"));
     for (const { where, version, text } of paste) {

@@ -119,25 +119,27 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
 
   // ---- words ----
 
+  /** The name of a protocol or channel as it reads within a sentence. */
+  const inWords = (name) => SENTENCES[name] ?? name;
   const say = (key, values = {}) => SENTENCES[key].replace(/\{(\w+)\}/g, (whole, name) => values[name]);
 
   /** A discovery time with its interval, or how far it got. */
   function timeWords(time) {
     if (time.median === Infinity) {
       const [low, high] = [share(time.pairs[0] ?? 0), share(time.pairs.at(-1) ?? 0)];
-      return `never (${low === high ? low : low.startsWith("less") ? `at most ${high}` : `${low} to ${high}`} of pairs done)`;
+      return `never (${low === high ? low : low.startsWith("less") ? `at most ${high}` : `${low} to ${high}`} of pairs complete)`;
     }
     let text = seconds(time.median);
     const [low, high] = time.interval.map(seconds);
     const [number, unit] = low.split(SPACE);
     const least = high.endsWith(SPACE + unit) ? number : low;
     if (low !== high) text += time.interval[1] === Infinity ? ` (${low} or more)` : ` (${least} to ${high})`;
-    if (time.isLowerBound) return `at least ${text}, ${share(time.lost)} of the messages lost`;
-    return time.repaired ? text : `${text}; nothing lost, no repairs simulated`;
+    if (time.isLowerBound) return `at least ${text}, with ${share(time.lost)} of the messages lost`;
+    return time.repaired ? text : `${text}, with nothing lost that needs repair`;
   }
 
   /** The runs that `nine` counts: all, if there are fewer than ten. */
-  const mostRuns = (runs) => (runs >= RULES.runs ? "nine of ten runs" : ["", "the only run", "both runs"][runs] ?? `all ${runs} runs`);
+  const mostRuns = (runs) => (runs >= RULES.runs ? "nine of ten runs" : runs === 2 ? "both runs" : `all ${runs} runs`);
 
   /** The discovery time after a change, in how many runs leases expire, and that after the smallest change that is enough. */
   function afterWords({ time, enough }) {
@@ -153,20 +155,20 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
     if (steady >= 1) return say("periodic traffic fills");
     const most = Math.max(...time.lostAt);
     const losses = ["robots lose", "access point loses", "air loses"][time.lostAt.indexOf(most)];
-    return [most ? say(losses, values) : "", median(time.expired) > RULES.many_expired ? say("leases end") : ""].filter(Boolean).join(" ");
+    return [most ? say(losses, values) : "", !time.forgetful && median(time.expired) > RULES.many_expired ? say("leases end") : ""].filter(Boolean).join(" ");
   }
 
   /** The verdict, how good it is (0 works, 1 not sure, 2 too slow, 3 never), and the sentences below. */
   function verdict({ today, reason, within, fleet, protocol, wifi, caution, ratios, drain, steady }) {
-    const how = `${protocol}; ${wifi}`;
-    const values = { fleet, how, within: seconds(within), drain: seconds(drain), protocol };
+    const how = `${inWords(protocol)}, on ${wifi}`;
+    const values = { fleet, how, within: seconds(within), drain: seconds(drain), protocol: inWords(protocol) };
     if (!today) {
       const [key, grade] = drain === Infinity ? ["endless", 3] : drain > within ? ["too busy", 2] : ["unknown", 1];
       return { grade, title: say(key, values), lines: [say("not simulated", { reason })] };
     }
     const late = today.times.filter((time) => time === Infinity).length;
     const [middle, nine] = [seconds(today.median), seconds(today.nine)];
-    Object.assign(values, { until: seconds(today.until), median: middle, low: middle, nine, lost: share(today.lost), runs: today.times.length, late });
+    Object.assign(values, { until: seconds(today.until), median: middle, nine, lost: share(today.lost), runs: today.times.length, late });
     values.forgetful = today.forgetful;
     values.most = mostRuns(values.runs);
     if (today.isLowerBound && today.median < Infinity) {
@@ -177,14 +179,15 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
     const stop = fine || (today.nine < Infinity && today.lost <= RULES.few_lost) ? [] : [causes(today, steady, values)];
     if (today.median === Infinity) {
       if (today.pairs.length) lines.push(say("share of pairs", { ...values, share: share(median(today.pairs)) }));
-      return { grade: 3, title: say(within < today.until ? "never in time" : "never", values), lines: [...lines, ...stop] };
+      const missed = within < today.until ? "never in time" : "never";
+      return { grade: 3, title: say(late < today.times.length ? "seldom" : missed, values), lines: [...lines, ...stop] };
     }
     const sure = suffices({ time: today, caution, ratios }, within);
     const failed = today.nine > within ? "too slow" : "forgotten";
     const [omitted, slow] = [isCautious({ time: today, caution }), seconds(ratios.high * today.nineGood)];
     const slower = say(ratios.measured ? "slower" : "slower elsewhere", { measured: ratios.measured, times: Number(Number(ratios.high).toPrecision(2)), slow });
     const title = say(!fine ? failed : sure ? "works" : omitted ? "works in simulations" : "probably", { ...values, caution, slower });
-    let times = say(today.nine === Infinity ? "times of some" : "times", values);
+    let times = say(today.nine === Infinity ? "times of some" : values.runs > 1 ? "times" : "time of one", values);
     if (today.mostPairs < Infinity) times += ` ${say("most pairs", { share: share(RULES.most_pairs), time: seconds(today.mostPairs) })}`;
     return { grade: !fine ? 2 : sure ? 0 : 1, title, lines: [times, ...stop] };
   }
@@ -227,7 +230,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
       if (shown.length > first) block("then", shown.slice(first));
     }
     const named = blocks.flatMap(({ rows }) => rows);
-    const name = (change) => `${whatWords(change)} (${afterWords(change)})`;
+    const name = (change) => `${whatWords(change)}, ${afterWords(change)}`;
     const list = (key, some) => (some.length ? [say(key, { names: some.map(name).join("; ") })] : []);
     const others = changes.filter((change) => !known.includes(change));
     const timed = others.filter(({ time }) => time);
@@ -252,17 +255,19 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
     if (!all.length) return [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
     const ranged = counts.filter((runs) => runs > 1);
-    const interval = ranged.map((runs) => say(runs >= RULES.runs ? "most runs" : runs > 2 ? "all runs" : "both runs", { runs })).join(", or ");
-    const more = counts.slice(1).map((runs) => say(runs > 1 ? "long runs" : "hopeless run", { runs, share: share(RULES.near) }));
-    const told = `${counts[0]} simulated run${counts[0] === 1 ? "" : "s"}${more.length ? ` (${more.join(", ")})` : ""}`;
+    const intervals = ranged.map((runs) => say(runs >= RULES.runs ? "most runs" : runs > 2 ? "all runs" : "both runs", { runs }));
+    const interval = intervals.length > 1 ? `${intervals[0]} or, if there are fewer, all of them` : intervals[0];
+    const more = counts.slice(1).map((runs) => say(runs > 1 ? "long runs" : "hopeless run", { runs }));
+    const told = `${counts[0]} run${counts[0] === 1 ? "" : "s"}${more.length ? ` (${more.join(", ")})` : ""}`;
     const until = seconds(all[0].until);
     const sure = [say("sure", { runs: told, until }), ...(interval ? [say("ranges", { interval })] : []), say(cells > 1 ? "assumed of cells" : "assumed")];
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
-    if (today?.times.at(-1) === Infinity) sure.push(say("no robot rebooted"));
-    if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
+    if (captured && hosts > captured) sure.push(say("extrapolated", { protocol: inWords(protocol), hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
     if (today?.median < Infinity) sure.push(say(ratios.measured ? "air" : "not compared", ratios));
     const longer = today?.median < Infinity && ratios.measured && today.median > Number(ratios.seconds);
-    if (helpful({ today, changes, within, caution, ratios }).some((change) => change.ratios === server)) sure.push(say(server.measured ? "air" : "server not compared", server));
+    const known = { today, changes, within, caution, ratios };
+    const shown = sufficient(known).length ? sufficient(known) : helpful(known);
+    if (shown.some((change) => change.ratios === server)) sure.push(say(server.measured ? "air" : "server not compared", server));
     if (longer) sure.push(say("watched", ratios));
     for (const { name, ...ends } of rounded) {
       const [mean, whole] = [ends.mean.toFixed(1), ends.whole.toFixed(1)];
@@ -271,5 +276,5 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
     return sure;
   }
 
-  return { ofRuns, isHopeless, suffices, doubt, byRank, surelyWorks, sufficient, isEasily, late, verdict, advice, certainty, timeWords, whatWords, afterWords, seconds, longTime, say };
+  return { ofRuns, isHopeless, suffices, doubt, byRank, surelyWorks, sufficient, isEasily, late, verdict, advice, certainty, timeWords, whatWords, afterWords, seconds, longTime, inWords, say };
 })(DISCOSTORM);

@@ -32,12 +32,12 @@ def diagnosis(name: str) -> Diagnosis:
         (
             "duplicate_zenoh_id",
             ("10.77.0.2", "10.77.0.1"),
-            "10.77.0.2 and 10.77.0.1 use the same id, a1b2",
+            "10.77.0.2 and 10.77.0.1 announce the same id, a1b2",
         ),
         (
             "different_middleware",
             ("10.77.0.3",),
-            "10.77.0.1 and 10.77.0.2 speak DDS, 10.77.0.3 speaks Zenoh",
+            "10.77.0.1 and 10.77.0.2 speak DDS, and 10.77.0.3 speaks Zenoh",
         ),
     ],
 )

@@ -37,14 +37,14 @@ def diagnosis(name: str) -> Diagnosis:
     [
         (
             "wrong_netmask",
-            "10.77.0.2 does not answer ARP: either the netmask or route is wrong there",
-            "10.77.0.3 asked 12 times by ARP for 10.77.0.2 and got no answer",
+            "10.77.0.2 does not answer ARP, because either the netmask or route is wrong there",
+            "10.77.0.3 sent 12 ARP requests for 10.77.0.2 and got no answer",
             "On 10.77.0.2, compare `ip address`",
         ),
         (
             "wrong_gateway",
-            "10.77.0.130 does not answer ARP: either the netmask or route is wrong there",
-            "10.77.0.130 asked 9 times by ARP for 10.77.0.129 and got no answer",
+            "10.77.0.130 does not answer ARP, because either the netmask or route is wrong there",
+            "10.77.0.130 sent 9 ARP requests for 10.77.0.129 and got no answer",
             "On 10.77.0.130, compare `ip address`",
         ),
         (
@@ -69,7 +69,7 @@ def diagnosis(name: str) -> Diagnosis:
         (
             "zenoh_wrong_port",
             "10.77.0.3 uses the wrong port or transport for the server or router",
-            "10.77.0.3 asked 10.77.0.1 at port 7448 (4 refused), but port 7447 answers there",
+            "10.77.0.3 asked 10.77.0.1 at port 7448 (4 times refused), but port 7447 answers there",
             "Correct the port on 10.77.0.3",
         ),
     ],
@@ -111,7 +111,8 @@ def test_a_discovery_server_on_another_port_is_named_with_both_ports() -> None:
     found = ds.read_capture(io.BytesIO(handmade.pcap(sorted(packets)))).diagnosis()
     first = found.findings[0]
     assert (first.kind, first.hosts) == ("wrong port", ("10.77.0.3",))
-    assert first.evidence.startswith("10.77.0.3 asked 10.77.0.101 at port 11812 (1 host sent it ")
+    assert first.evidence.startswith("10.77.0.3 asked 10.77.0.101 at port 11812 (")
+    assert " messages from 1 host got no answer" in first.evidence
     assert first.evidence.endswith(", but port 11811 answers there")
 
 

@@ -317,7 +317,7 @@ def test_the_command_says_the_answer_first() -> None:
     assert result.exit_code == 0
     text = " ".join(result.output.split())
     assert text.startswith(
-        "Discovery is not healthy and not complete: 10.77.0.2 hears no other host"
+        "Discovery is neither healthy nor complete: 10.77.0.2 hears no other host"
     )
     assert "Pairs that never completed (" in text
     assert text.index("ufw status") < text.index("first [s]") < text.index("message units")

@@ -92,8 +92,8 @@ def test_a_fleet_that_is_started_anew_is_one_restart_and_no_crash_loop() -> None
     diagnosis = diagnosed(relaunched())
     (finding,) = diagnosis.findings
     assert (finding.kind, len(finding.hosts)) == ("restart", 3)
-    assert "10.77.0.1: processes began at 16.0 s, after the previous one had " in finding.evidence
-    assert "6 processes on 3 hosts know each other" in diagnosis.summary()
+    assert "on 10.77.0.1, processes began at 16.0 s, after the " in finding.evidence
+    assert "6 processes on 3 hosts discovered each other" in diagnosis.summary()
 
 
 def on_another_rmw() -> list[Datagram]:

@@ -28,15 +28,15 @@ def test_qos_and_types_that_differ_are_told_topic_by_topic() -> None:
     found = {finding.kind: finding for finding in diagnosis.findings}
     assert {*found} == {"types differ", "QoS differs"}
     assert found["types differ"].evidence == (
-        "/cmd_vel: the writer on 10.77.0.1 has the type std_msgs/msg/String, the reader on "
-        "10.77.0.2 std_msgs/msg/Int32"
+        "/cmd_vel: the writer on 10.77.0.1 has the type std_msgs/msg/String, but the reader "
+        "on 10.77.0.2 has std_msgs/msg/Int32"
     )
     assert found["QoS differs"].evidence == (
-        "/scan: the writer on 10.77.0.1 offers best effort, the reader on 10.77.0.2 asks for "
-        "reliable (RELIABILITY_QOS_POLICY); /map: the writer on 10.77.0.1 offers volatile, the "
-        "reader on 10.77.0.2 asks for transient local (DURABILITY_QOS_POLICY); /odom: the writer "
-        "on 10.77.0.1 offers 0.2 s, the reader on 10.77.0.2 asks for 0.1 s (DEADLINE_QOS_POLICY) "
-        "(and 1 more)"
+        "/scan: the writer on 10.77.0.1 offers 'best effort', but the reader on 10.77.0.2 asks for "
+        "'reliable' (RELIABILITY_QOS_POLICY); /map: the writer on 10.77.0.1 offers 'volatile', but "
+        "the reader on 10.77.0.2 asks for 'transient local' (DURABILITY_QOS_POLICY); /odom: the "
+        "writer on 10.77.0.1 offers '0.2 s', but the reader on 10.77.0.2 asks for '0.1 s' "
+        "(DEADLINE_QOS_POLICY); and 1 more"
     )
     assert "Discovery is not healthy: the writer and reader of a topic have different types" in (
         diagnosis.summary()
@@ -117,8 +117,8 @@ def test_tokens_of_rmw_zenoh_name_topics_and_types() -> None:
     (first,) = capture.diagnosis().wrong  # Zenoh passes data whatever QoS says
     assert first.kind == "types differ"
     assert first.evidence == (
-        "/chatter: the writer on 10.77.0.2 has the type std_msgs/msg/String, the reader on "
-        "10.77.0.3 std_msgs/msg/Int32"
+        "/chatter: the writer on 10.77.0.2 has the type std_msgs/msg/String, but the reader "
+        "on 10.77.0.3 has std_msgs/msg/Int32"
     )
 
 
@@ -153,7 +153,7 @@ def test_partitions_part_on_purpose_unless_a_reader_has_no_writer_left() -> None
     both = replace(capture, _endpoints=pd.concat([capture.endpoints(), own]))
     for each, told in ((capture, True), (both, False)):
         (finding,) = (one for one in each.diagnosis().findings if one.kind == "QoS differs")
-        assert finding.evidence.endswith("(and 1 more)") == told
+        assert finding.evidence.endswith("; and 1 more") == told
 
 
 def test_an_announcement_with_an_unknown_reliability_is_unreadable() -> None:

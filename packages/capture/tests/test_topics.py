@@ -25,12 +25,12 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "base_behind_the_computer",
             "a server announces 10.78.0.3, but the other hosts have no route to its network",
             "others announced a process there, and 10.78.0.2 is in the same network",
-            "add a route to the network of 10.78.0.3",
+            "Add a route to the network of 10.78.0.3",
         ),
         (
             "left_over_server",
             "10.77.0.3 uses a different discovery method than the other hosts",
-            "Hosts that use multicast and no server: 10.77.0.1 and 10.77.0.2",
+            "Only multicast is used by 10.77.0.1 and 10.77.0.2",
             "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
         ),
         (
@@ -48,13 +48,13 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "tcp_for_data_on_one",
             "the writer and reader of a topic use different transports",
-            "/beat: writer on",
+            "/beat: the writer on",
             "Set the same transports",
         ),
         (
             "bridges_in_a_loop",
             "10.77.0.1 and 10.77.0.2 run bridges between DDS and Zenoh that also hear each other",
-            "also to each other",
+            "they also sent these to each other",
             "keep DDS within each host",
         ),
         (
@@ -83,9 +83,9 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         ),
         (
             "static_on_one",
-            "static endpoint discovery is on at 10.77.0.3 and off elsewhere",
+            "10.77.0.3 differs from the other hosts in static endpoint discovery",
             "10.77.0.3 took endpoints from a file (static discovery)",
-            "Turn static endpoint discovery off on 10.77.0.3",
+            "On 10.77.0.3, turn static endpoint discovery off",
         ),
         (
             "client_for_each_call",
@@ -96,8 +96,8 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "clock_steps_back",
             "the clock of 10.77.0.3 was set back while nodes ran there",
-            "the clock of 10.77.0.3 was set back by 30.0 s after 10.6 s",
-            "let chrony slew it",
+            "he timestamps in samples of 10.77.0.3 went back by 30.0 s after 10.6 s",
+            "let chrony adjust it slowly",
         ),
         (
             "images_by_multicast",
@@ -108,31 +108,31 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "connects_to_routers_only",
             "10.77.0.1, 10.77.0.2 and 10.77.0.3 look only for a Zenoh router, and none answers",
-            "by multicast for a router, not for peers",
-            "let peers connect to peers",
+            "by multicast for a router, but not for peers",
+            "let peers connect to each other",
         ),
         (
             "expired_certificate",
             "connections to the router on 10.77.0.101 end before a session begins",
             "10.77.0.1 opened",
-            "check the dates and the name of the certificate",
+            "check the dates and the name in the certificate",
         ),
         (
             "server_crashes_again_and_again",
             "a process on 10.77.0.101 starts again and again",
-            "A server on 10.77.0.101 numbers its participants from 1 again after 9.5 s",
+            "A server on 10.77.0.101 began again to number its participants from 1 after 9.5 s",
             "Look at the log of the process that restarts on 10.77.0.101",
         ),
         (
             "service_across_vendors",
             "the server and client of a service run different DDS implementations",
-            "the server on 10.77.0.1 runs Fast DDS, the client on 10.77.0.2 Cyclone DDS",
+            "server on 10.77.0.1 runs Fast DDS, but the client on 10.77.0.2 runs Cyclone DDS",
             "Set the same RMW_IMPLEMENTATION on all hosts",
         ),
         (
             "cyclone_beside_server",
             "10.77.0.3 runs a DDS that cannot use a Discovery Server",
-            "Discovery by multicast: 10.77.0.3",
+            "ulticast is used by 10.77.0.3",
             "ROS_DISCOVERY_SERVER works only with Fast DDS",
         ),
         (
@@ -165,7 +165,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
     name: str, cause: str, evidence: str, action: str
 ) -> None:
     said = ds.read_capture(STAGED / f"{name}.pcap.xz").diagnosis().summary()
-    assert "not healthy" in said
+    assert "not healthy" in said or "neither healthy" in said
     assert 0 < said.index(cause) < said.index(evidence) < said.index(action)
 
 
@@ -195,7 +195,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         (
             "router_denies_one",
             "Either no other host uses the keys of 10.77.0.3, or the router's access",
-            "check access_control of the router",
+            "keys access_control of the router allows",
         ),
         (
             "namespace_on_one",
@@ -204,7 +204,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         ),
         (
             "two_servers_of_a_service",
-            "10.77.0.2 and 10.77.0.1 each have a server of the same service",
+            "10.77.0.2 and 10.77.0.1 each offer the same service",
             "stop the other server",
         ),
         (
@@ -215,12 +215,12 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         (
             "bag_beside_robot",
             "10.77.0.1 and 10.77.0.2 write the same topics",
-            "plays a recording (`ros2 bag play`) or a simulation, stop it",
+            "plays a recording (`ros2 bag play`) or runs a simulation, stop it",
         ),
         (
             "service_in_namespace",
             "A topic or service has different names at its two ends",
-            "Compare the names of both ends",
+            "At both ends, compare the names",
         ),
         (
             "lease_never_ends",

@@ -28,20 +28,20 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "one_without_server",
             "10.77.0.3 uses a different discovery method than the other hosts",
-            "Discovery by multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and",
+            "ulticast is used by 10.77.0.3, and a server or router by 10.77.0.1, 10.77.0.101 and",
             "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
         ),
         (
             "peer_beside_router",
             "10.77.0.3 uses a different discovery method than the other hosts",
-            "Discovery by multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and",
+            "ulticast is used by 10.77.0.3, and a server or router by 10.77.0.1, 10.77.0.101 and",
             "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
         ),
         (
             "two_servers",
             "10.77.0.3 uses a different server or router than the other hosts",
             "10.77.0.1, 10.77.0.101 and 10.77.0.2; 10.77.0.102 and 10.77.0.3",
-            "list the same servers, in the same order",
+            "list the same servers in the same order",
         ),
         (
             "two_routers",
@@ -52,7 +52,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "peers_in_two_groups",
             "10.77.0.3 and 10.77.0.4 neither search for the other hosts by multicast nor list",
-            "to another group: 10.77.0.1 and 10.77.0.2; 10.77.0.3 and 10.77.0.4",
+            "of these groups to another: 10.77.0.1 and 10.77.0.2; 10.77.0.3 and 10.77.0.4",
             "add 10.77.0.3 and 10.77.0.4 to the peers of the other hosts",
         ),
         (
@@ -75,9 +75,9 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "copied_profile",
-            "10.77.0.2 and 10.77.0.3 use the same id: either other hosts take them",
-            "10.77.0.2 and 10.77.0.3 use the same id, 426f74000001000000000002",
-            "or the `prefix` from the Fast DDS profile (a copied file)",
+            "10.77.0.2 and 10.77.0.3 use the same id, so either other hosts take them",
+            "10.77.0.2 and 10.77.0.3 announce the same id, 426f74000001000000000002",
+            "or the copied `prefix` from the Fast DDS profile",
         ),
         (
             "ports_above_7411",
@@ -87,7 +87,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "security_on_one",
-            "DDS Security is on at 10.77.0.2 and off elsewhere",
+            "10.77.0.2 differs from the other hosts in DDS Security",
             "DDS Security is on at 10.77.0.2, and off at 10.77.0.1 and 10.77.0.3",
             "Compare ROS_SECURITY_ENABLE",
         ),
@@ -95,12 +95,12 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "loopback_locators",
             "10.77.0.1, 10.77.0.3 and 10.77.0.2 announce only a loopback address",
             "10.77.0.1 announces itself as 127.0.0.1",
-            "In Zenoh, set listen/endpoints",
+            "With Zenoh, set listen/endpoints",
         ),
         (
             "no_incoming_tcp",
             "a firewall drops TCP connections with 10.77.0.3 and 10.77.0.2, although UDP",
-            "10.77.0.2 called 10.77.0.3 1 time and 10.77.0.3 called 10.77.0.2 1 time",
+            "10.77.0.2 called 10.77.0.3 (1 time) and 10.77.0.3 called 10.77.0.2 (1 time)",
             "On 10.77.0.3 and 10.77.0.2, check `ufw status`",
         ),
         (
@@ -130,13 +130,13 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "peers_without_index",
             "10.77.0.1, 10.77.0.2 and 10.77.0.3 search for each other at ports that",
-            "search for each other at ports 7410 to 7426, and each replies that no process uses",
+            "search for each other at ports 7410 to 7426, and each replies by ICMP",
             "Set ParticipantIndex to auto on all hosts",
         ),
         (
             "older_zenoh",
             "10.77.0.3 speaks another version of Zenoh's protocol",
-            "Zenoh's protocol: version 8 there, 9 at 10.77.0.101",
+            "they speak versions 8 and 9 of Zenoh's protocol",
             "Install one release of Zenoh",
         ),
         (
@@ -148,7 +148,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "pruned_peer",  # the other host had given up before
             "10.77.0.2 neither searches for the other hosts by multicast nor lists them as peers",
-            "10.77.0.2 started after 43.3 s, and 10.77.0.1 has sent nothing to it since 0.2 s",
+            "10.77.0.2 started after 43.3 s, and since then 10.77.0.1 has sent nothing to it",
             "add 10.77.0.2 to the peers of the other hosts",
         ),
         (
@@ -184,7 +184,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "server_number",
             "the server or router that others look for at 10.77.0.101 does not",
-            "10.77.0.101 at port 11811: 3 hosts sent it",
+            "t 10.77.0.101, port 11811, 369 messages from 3 hosts got no answer",
             "its number (`fastdds discovery -i`) must be its position in ROS_DISCOVERY_SERVER",
         ),
         (
@@ -195,58 +195,58 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "nothing_between_two",
-            "10.77.0.3 and 10.77.0.4 do not all hear each other",
+            "packets between 10.77.0.3 and 10.77.0.4 do not all arrive",
             "10.77.0.3 never answered 10.77.0.4 and 10.77.0.4 never answered 10.77.0.3",
-            "Run `ping` from one of these hosts to the other",
+            "Run `ping` between these hosts",
         ),
         (
             "network_splits",  # from 14 s on
-            "10.77.0.1, 10.77.0.2, 10.77.0.3 and 10.77.0.4 do not all hear each other",
+            "packets between 10.77.0.1, 10.77.0.2, 10.77.0.3 and 10.77.0.4 do not all arrive",
             "10.77.0.1 keeps sending, but confirmed nothing after 12.4 s, though 10.77.0.3 sent",
-            "Run `ping` from one of these hosts to the other",
+            "Run `ping` between these hosts",
         ),
         (
             "server_allow_list",
             "10.77.0.3 gets no answer from a server or router that answers other hosts",
-            "without an answer, although 10.77.0.101 answers 10.77.0.1 and 10.77.0.2",
-            "allow 10.77.0.3 in the server's firewall",
+            " times), although 10.77.0.101 answers 10.77.0.1 and 10.77.0.2",
+            "allow 10.77.0.3 in the firewall of the server",
         ),
         (
             "router_allow_list",
             "10.77.0.3 gets no answer from a server or router that answers other hosts",
-            "10.77.0.3 called 10.77.0.101 3 times at port 7447 by TCP without an answer",
-            "allow 10.77.0.3 in the server's firewall",
+            "10.77.0.3 called 10.77.0.101 without an answer (3 times at port 7447 by TCP)",
+            "allow 10.77.0.3 in the firewall of the server",
         ),
         (
             "tcp_is_rejected",
             "a firewall drops TCP connections with 10.77.0.2 and 10.77.0.3, although UDP",
-            "at the announced port, without an answer",
+            "at the announced port, but got no answer",
             "On 10.77.0.2 and 10.77.0.3, check `ufw status`",
         ),
         (
             "order_by_source",
             "the writer and reader of a topic have incompatible QoS",
-            "/tf: the writer on 10.77.0.1 offers by reception, the reader on 10.77.0.2 asks for by "
-            "source (DESTINATION_ORDER_QOS_POLICY)",
+            "/tf: the writer on 10.77.0.1 offers 'by reception', but the reader on 10.77.0.2 asks "
+            "for 'by source' (DESTINATION_ORDER_QOS_POLICY)",
             "Run `ros2 topic info --verbose TOPIC`",
         ),
         (
             "other_encoding",
             "the writer and reader of a topic have incompatible QoS",
-            "/header: the writer on 10.77.0.1 offers XCDR2, the reader on 10.77.0.2 asks for XCDR1",
+            "the writer on 10.77.0.1 offers 'XCDR2', but the reader on 10.77.0.2 asks for 'XCDR1'",
             "Run `ros2 topic info --verbose TOPIC`",
         ),
         (
             "other_scouting_port",
             "10.77.0.3 uses a different multicast address or port than the other hosts",
             "10.77.0.3 sends to 224.0.0.224, port 7450",
-            "(Zenoh: scouting/multicast/address)",
+            "(with Zenoh, scouting/multicast/address)",
         ),
         (
             "two_processes_one_id",
             "two processes on 10.77.0.2 use the same id, so others take them for one process",
             "others send to the one known process there at 2 ports",
-            "or the `prefix` from the Fast DDS profile (a copied file)",
+            "or the copied `prefix` from the Fast DDS profile",
         ),
         (
             "access_point_answers_arp",  # with its own MAC address, for all hosts
@@ -275,7 +275,7 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
         (
             "other_namespace",
             "A topic or service has different names at its two ends",
-            "Compare the names of both ends",
+            "At both ends, compare the names",
         ),
         (
             "rviz_as_peer",
@@ -308,7 +308,7 @@ def test_a_third_host_sees_multicast_alone() -> None:
     assert found.complete is None
     assert found.summary().startswith("The capture does not show whether discovery is complete")
     assert "as if a third host had recorded it" in found.summary()
-    assert "Record again, on one of the robots or on the access point" in found.summary()
+    assert "Record again on one of the robots or on the access point" in found.summary()
 
 
 def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
@@ -318,7 +318,7 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
     assert finding.kind == "multicast of one host"
     assert found.healthy is None
     assert "If not, let the access point and switches pass multicast" in found.summary()
-    assert "10.77.0.2 and 10.77.0.3 never asked for each other's addresses" in finding.evidence
+    assert "10.77.0.2 and 10.77.0.3 never sent ARP requests for each other" in finding.evidence
 
 
 @pytest.mark.parametrize(
@@ -332,8 +332,8 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
         ),
         (
             "shell_loop",
-            "complete, but not healthy and not over: a process on 10.77.0.1 starts again and again",
-            "10.77.0.1: a process started and said goodbye 7 times, about every 2.6 s",
+            "complete, but neither healthy nor over: a process on 10.77.0.1 starts again and again",
+            "n 10.77.0.1, a process started and said goodbye 7 times, about every 2.6 s",
             "Look at the log of the process that restarts on 10.77.0.1",
         ),
         (
@@ -361,7 +361,7 @@ def test_a_loop_in_the_network_comes_before_the_loss_that_it_causes() -> None:
 def test_who_has_one_peer_only_may_not_know_the_others() -> None:
     found = diagnosis("star_of_peers")
     assert found.healthy is None
-    assert "10.77.0.2, 10.77.0.3 and 10.77.0.4 never asked for each other's" in found.summary()
+    assert "10.77.0.2, 10.77.0.3 and 10.77.0.4 never sent ARP requests for each" in found.summary()
     assert "If you recorded on 10.77.0.1, record on the access point" in found.summary()
     assert "If not, list all hosts as peers on all hosts" in found.summary()
 
@@ -418,7 +418,7 @@ def test_the_times_in_samples_show_a_clock_that_is_not_set() -> None:
     found = diagnosis("clock_not_set")
     (first,) = found.findings
     assert (found.complete, first.kind, first.hosts) == (True, "clock differs", ("10.77.0.3",))
-    assert first.evidence.endswith("10.77.0.3's clock is 90 minutes behind others")
+    assert first.evidence.endswith("10.77.0.3's clock is 90 minutes behind the others")
     assert "Set the clock of 10.77.0.3" in found.summary()
 
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 #: Maximum numbers of lines, of changes and of groups in an answer of the usual width.
 _USUAL_WIDTH = 79
-_MAX_LINES, MAX_SHOWN_CHANGES, _MAX_GROUPS = 25, 3, 3
+_MAX_LINES, MAX_SHOWN_CHANGES, _MAX_GROUPS = 24, 3, 3
 #: Sentences by key; braces mark the values that a sentence needs.
 SENTENCES: dict[str, str] = tomllib.loads(
     data_path("written/sentences.toml", "discostorm_planner").read_text(encoding="utf-8")
@@ -36,12 +36,16 @@ def fill(key: str, **values: object) -> str:
     return SENTENCES[key].format(**values)
 
 
+def phrase(name: str) -> str:
+    """Return the name of a protocol or channel as it reads within a sentence."""
+    return SENTENCES.get(name, name)
+
+
 def format_answer(plan: Plan, width: int, *, all_changes: bool = False) -> str:
     """Return the answer in lines of at most ``width`` letters."""
-    if plan.all_wired:
-        return wording.wrap(wording.ALL_WIRED_NOTE, width)
-    if plan.fleet.hosts() == 1:
-        return wording.wrap(wording.LONE_HOST_NOTE, width)
+    if plan.all_wired or plan.fleet.hosts() == 1:
+        note = wording.ALL_WIRED_NOTE if plan.all_wired else wording.LONE_HOST_NOTE
+        return wording.wrap(note, width)
     text = ""
     for count in range(MAX_SHOWN_CHANGES, -1, -1):
         blocks = [_verdict_lines(plan), [*_cell_lines(plan)]]
@@ -81,10 +85,10 @@ def _verdict_lines(plan: Plan) -> list[str]:
     low = plan.startup.bounds[0]
     values = {
         "fleet": describe_fleet(plan),
-        "how": f"{plan.protocol.name}; {plan.wifi.name}",
+        "how": f"{phrase(plan.protocol.name)}, on {phrase(plan.wifi.name)}",
         "within": _time_text(plan.within),
         "drain": _time_text(low),
-        "protocol": plan.protocol.name,
+        "protocol": phrase(plan.protocol.name),
     }
     if today is None:
         key = "endless" if math.isinf(low) else "too busy" if low > plan.within else "unknown"
@@ -92,13 +96,11 @@ def _verdict_lines(plan: Plan) -> list[str]:
     values |= {
         "until": _time_text(today.simulated_seconds),
         "median": _time_text(today.median),
-        "low": _time_text(today.median),
         "nine": _time_beyond(today.nine_of_ten, plan.within),
         "most": _most_runs(len(today.times)),
         "lost": format_share(today.lost),
         "runs": str(len(today.times)),
         "late": str(sum(map(math.isinf, today.times))),
-        "finished": str(sum(map(math.isfinite, today.times))),
         "forgetful": str(today.expired_lease_runs),
     }
     if today.is_lower_bound and math.isfinite(today.median):
@@ -117,7 +119,8 @@ def _verdict_lines(plan: Plan) -> list[str]:
             unsure = "works in simulations" if found.caution else "probably"
             key = "works" if found.surely_works else unsure
         lines = [fill(key, caution=found.caution, slower=_slower_in_reality(plan, today), **values)]
-        times = fill("times of some" if math.isinf(today.nine_of_ten) else "times", **values)
+        key = "times" if len(today.times) > 1 else "time of one"
+        times = fill("times of some" if math.isinf(today.nine_of_ten) else key, **values)
         if math.isfinite(today.most_pairs_s):
             share, time = wording.percent(MOST_PAIRS_SHARE), _time_text(today.most_pairs_s)
             times += " " + fill("most pairs", share=share, time=time)
@@ -125,7 +128,6 @@ def _verdict_lines(plan: Plan) -> list[str]:
     loses_much = today.repaired and today.lost > CAUTION_LOSS
     if not found.works and (loses_much or math.isinf(today.nine_of_ten)):
         causes = today.slowdown_causes(plan.steady_range.full)
-        causes = [cause for cause in causes if cause != "leases end" or not today.expired_lease_runs]
         lines.append(" ".join(fill(cause, **values) for cause in causes))
     if plan.data:
         airtime = wording.duration(plan.data.with_periodic.bounds[0])
@@ -267,7 +269,8 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
 def _main_trade_offs(remedy: Remedy, is_first: bool) -> str:
     """Return the first trade-off with the failure mode; without one, the first change has two."""
     trade_offs, failure = remedy.trade_offs.split("; "), remedy.failure_mode
-    return "; ".join([trade_offs[0], failure] if failure else trade_offs[: 1 + is_first])
+    shown = [trade_offs[0], failure] if failure else trade_offs[: 1 + is_first]
+    return f"Trade-off{'s' * (len(shown) > 1)}: {'; '.join(shown)}"
 
 
 def _slower_in_reality(plan: Plan, today: DiscoveryTime) -> str:
@@ -281,7 +284,7 @@ def _slower_in_reality(plan: Plan, today: DiscoveryTime) -> str:
 def describe_change(change: SimulatedChange) -> str:
     """Describe a change, or its smallest sufficient variant."""
     what = (change.smallest or change).remedy.what
-    window = f", at random within {_time_text(change.start_window)}"
+    window = f", at random times within {_time_text(change.start_window)}"
     return what + window * bool(change.start_window)
 
 
@@ -301,8 +304,7 @@ def time_after(change: SimulatedChange) -> str:
 
 def _most_runs(runs: int) -> str:
     """Name the runs that `DiscoveryTime.nine_of_ten` counts: all, if there are fewer than ten."""
-    few = {1: "the only run", 2: "both runs"}.get(runs, f"all {runs} runs")
-    return "nine of ten runs" if runs >= RUNS else few
+    return "nine of ten runs" if runs >= RUNS else "both runs" if runs == 2 else f"all {runs} runs"
 
 
 def _lease_counts(time: DiscoveryTime) -> dict[str, int]:
@@ -310,7 +312,7 @@ def _lease_counts(time: DiscoveryTime) -> dict[str, int]:
 
 
 def _change_with_time(change: SimulatedChange) -> str:
-    return f"{describe_change(change)} ({time_after(change)})"
+    return f"{describe_change(change)}, {time_after(change)}"
 
 
 def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list[str]]:
@@ -345,7 +347,7 @@ def _done_text(time: DiscoveryTime) -> str:
     """Describe the share of completed pairs in the worst and in the best run."""
     low, high = format_share(time.pairs_done[0]), format_share(time.pairs_done[-1])
     span = f"at most {high}" if low.startswith("less") else f"{low} to {high}"
-    return f"{low if low == high else span} of pairs done"
+    return f"{low if low == high else span} of pairs complete"
 
 
 def _describe_runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
@@ -356,10 +358,10 @@ def _describe_runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
         for runs in counts
         if runs > 1
     ]
-    share = wording.percent(MIN_PAIRS)
-    few = [fill("long runs" if n > 1 else "hopeless run", runs=n, share=share) for n in counts[1:]]
-    told = wording.count_noun(counts[0], "simulated run")
-    return told + f" ({', '.join(few)})" * bool(few), ", or ".join(intervals)
+    few = [fill("long runs" if n > 1 else "hopeless run", runs=n) for n in counts[1:]]
+    told = wording.count_noun(counts[0], "run")
+    ranges = intervals[:1] + ["if there are fewer, all of them"] * (len(intervals) > 1)
+    return told + f" ({', '.join(few)})" * bool(few), " or, ".join(ranges)
 
 
 def _certainty_lines(plan: Plan, all_changes: bool) -> list[str]:
@@ -375,11 +377,9 @@ def _certainty_lines(plan: Plan, all_changes: bool) -> list[str]:
         sure = [fill("sure", runs=runs, until=until), *ranges, assumed]
         if any(math.isinf(time.median) for time in times if all_changes or time is today):
             sure.append(fill("never means", until=until))
-        if today and math.isinf(today.times[-1]):
-            sure.append(fill("no robot rebooted"))
         if table.captured and plan.fleet.hosts() > table.captured[0]:
             hosts = wording.count_noun(table.captured[0], "host")
-            sure.append(fill("extrapolated", protocol=table.name, hosts=hosts))
+            sure.append(fill("extrapolated", protocol=phrase(table.name), hosts=hosts))
         ratios = remedy_rules.time_ratios(table)
         known = today is not None and math.isfinite(today.median)
         measured = [("not compared", ratios)] * known
@@ -401,7 +401,7 @@ def _certainty_lines(plan: Plan, all_changes: bool) -> list[str]:
         if (shown := f"{mean:.1f}") != (simulated := f"{whole:.1f}"):
             lines.append(fill("rounded", name=name, mean=shown, whole=simulated))
     lines += [fill("interrupted")] * (not found.complete)
-    return [" ".join([*lines, fill("surer")]), fill("why")]
+    return [" ".join([*lines, fill("surer")])]
 
 
 def _groups_in_discovery(plan: Plan) -> list[HostGroup]:
@@ -431,8 +431,8 @@ def describe_time(time: DiscoveryTime | None) -> str:
         least = number if high.endswith(f" {unit}") else low
         text += f" ({low} or more)" if late else f" ({least} to {high})"
     if time.is_lower_bound:
-        return f"at least {text}, {format_share(time.lost)} of the messages lost"
-    return text if time.repaired else f"{text}; nothing lost, no repairs simulated"
+        return f"at least {text}, with {format_share(time.lost)} of the messages lost"
+    return text if time.repaired else f"{text}, with nothing lost that needs repair"
 
 
 def _time_text(time: float) -> str:

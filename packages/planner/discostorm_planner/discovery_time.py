@@ -108,7 +108,8 @@ class DiscoveryTime:
             return ["periodic traffic fills"]
         most = max(self.lost_by_place)
         losses = [_LOSS_KEYS[self.lost_by_place.index(most)]] if most else []
-        return losses + ["leases end"] * (median(self.expired_per_pair) > MIN_EXPIRED_PER_PAIR)
+        forgetful = not self.expired_lease_runs and median(self.expired_per_pair)
+        return losses + ["leases end"] * (forgetful > MIN_EXPIRED_PER_PAIR)
 
     def to_dict(self) -> dict[str, Any]:
         """Return a dict for JSON, with infinity as None."""

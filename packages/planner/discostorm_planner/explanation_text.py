@@ -11,7 +11,7 @@ from discostorm.messages import ENDPOINT, PAPER_WINDOW, Unit
 from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.aggregation_range import AggregationRange
-from discostorm_planner.answer_text import describe_change, describe_time, fill, time_after
+from discostorm_planner.answer_text import describe_change, describe_time, fill, phrase, time_after
 from discostorm_planner.further_loads import ConfigurationLoad, UserDataLoad
 from discostorm_planner.service_reply_wait import MAX_BLOCKING_TIME
 
@@ -41,7 +41,7 @@ def format_explanation(plan: Plan, width: int) -> str:
         for remedy in remedies:
             number += 1
             told = wording.join_sentences(remedy.gain_clause("it "), remedy.note)
-            what = _times_of_change(plan, remedy) or f"{remedy.what}. {wording.capitalized(told)}"
+            what = _times_of_change(plan, remedy) or f"{remedy.what}: {told}"
             lines += [f"{number:2}. {wording.capitalized(what)}.", f"    {remedy.caution()}"]
     lines += ["", "The same fleet with each measured configuration:"]
     rests_on = [f"- {line}" for line in _basis_lines(plan)]
@@ -49,8 +49,8 @@ def format_explanation(plan: Plan, width: int) -> str:
     rest = len(plan.remedies) + len(plan.combinations) - number
     basis += [
         "",
-        "`discostorm plan --paste NAME` prints the configuration of a change. `--json` lists "
-        f"{wording.count_noun(rest, 'change')}, why others are left out, and all configurations.",
+        "`discostorm plan --paste NAME` prints the configuration of a change. `--json` lists all "
+        f"configurations, {wording.count_noun(rest, 'more change')}, and why we left out others.",
     ]
     table = configuration_table(plan.configurations, width)
     return "\n".join([_wrap_lines(lines, width), *table, _wrap_lines(basis, width)])
@@ -100,11 +100,11 @@ def _service_wait_lines(plan: Plan) -> Iterator[str]:
 def _user_data_lines(load: UserDataLoad, window: float) -> Iterator[str]:
     """Yield whether the data fit, once discovery is complete and until then."""
     data, both = _percent_range(load.data), _percent_range(load.with_periodic)
-    yield fill("data load", data=data, both=both, fit=_DATA_FIT[load.with_periodic.verdict])
+    key = "data load" if data != both else "data load and little else"
+    yield fill(key, data=data, both=both, fit=_DATA_FIT[load.with_periodic.verdict])
     if math.isfinite(window):
         airtime = _time_range(load.with_discovery, window)
-        time = "second" if window == PAPER_WINDOW else wording.duration(window)
-        fit = _DATA_FIT[load.with_discovery.verdict]
+        fit, time = _DATA_FIT[load.with_discovery.verdict], _first_seconds(window)
         yield fill("data during startup", fit=fit, airtime=airtime, time=time)
     if wording.below_capacity(load.with_periodic.full):
         alone = wording.duration(load.drain_time_alone.bounds[0])
@@ -117,16 +117,15 @@ def _user_data_lines(load: UserDataLoad, window: float) -> Iterator[str]:
 def _airtime_lines(plan: Plan) -> Iterator[str]:
     """Yield the airtime of discovery and of a reboot, and the channel."""
     found, steady = plan.utilization_range, math.isinf(plan.window)
-    airtime = "" if steady else f"{_time_range(found, plan.window)} of airtime"
-    needs = airtime or f"{_percent_range(found)} of the time"
+    airtime, channel = _time_range(found, plan.window), _percent_range(found)
+    needs = f"{channel} of the channel" if steady else f"{airtime} of airtime"
     hosts = wording.count_noun(plan.fleet.hosts(), "host")
     processes = wording.count_noun(plan.fleet.processes(), "process", "es")
-    yield f"Discovery of {hosts} ({processes} in all) needs {needs} with {plan.protocol.name}."
+    name = phrase(plan.protocol.name)
+    yield f"Discovery of {hosts} ({processes} in all) needs {needs} with {name}."
     fits = f"the fleet {plan.verdict}" if steady else f"discovery {plan.verdict}"
     load = wording.format_load(found.bounds[0], "", "the capacity").strip()
-    time = "the steady state" if steady else "the first second"
-    if not steady and plan.window != PAPER_WINDOW:
-        time = f"the first {plan.window:g} s"
+    time = "the steady state" if steady else _first_seconds(plan.window)
     yield f"Utilization in {time}: {_at_least(found)}{load}, so {fits}."
     if plan.reboot is not None:
         robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
@@ -134,22 +133,22 @@ def _airtime_lines(plan: Plan) -> Iterator[str]:
         yield f"When one robot{robot} reboots, discovery needs at least {low} of airtime."
     exchanges = "full A-MPDUs" if found.differs else "one message per frame"
     assumed = f"no losses · no collisions · {exchanges}"
-    yield f"Channel: {plan.wifi.name}, {TOPOLOGY}. This airtime assumes: {assumed}."
+    yield f"Channel: {phrase(plan.wifi.name)}, {TOPOLOGY}. This airtime assumes: {assumed}."
 
 
 def _share_lines(plan: Plan) -> Iterator[str]:
     """Yield the largest message, the largest phase and the largest groups."""
-    yield "Largest parts of this airtime, which overlap:"
+    yield "The largest parts of this airtime (they overlap):"
     for kind, noun in (("message", "Message type"), ("phase", "Phase")):
         largest = plan.shares_of_kind(kind)[0]
-        yield f"- {noun}: {largest.name}, {wording.format_share(largest.share)}."
+        yield f"- {noun}: {largest.name} ({wording.format_share(largest.share)})."
     groups = plan.shares_of_kind("group")
     for group in groups[:_MAX_GROUPS] * (len(groups) > 1):
-        yield f"- From or to {group.name}: {wording.format_share(group.share)}."
+        yield f"- Traffic from or to {group.name}: {wording.format_share(group.share)}."
     if len(groups) > _MAX_GROUPS:
         rest, share = len(groups) - _MAX_GROUPS, wording.format_share(groups[_MAX_GROUPS].share)
-        each = "" if rest == 1 else " each"
-        yield f"- From or to {wording.count_noun(rest, 'further group')}: at most {share}{each}."
+        others = wording.count_noun(rest, "other group")
+        yield f"- Traffic from or to {others}: at most {share}{' each' * (rest > 1)}."
 
 
 def _basis_lines(plan: Plan) -> Iterator[str]:
@@ -162,7 +161,7 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
         nouns = {"hosts": ("host",), "processes": ("process", "es"), "endpoints": ("endpoint",)}
         pairs = zip(nouns.items(), table.captured, strict=True)
         limits = {name: wording.count_noun(limit, *noun) for (name, noun), limit in pairs}
-        captured = fill("captured", name=table.name, **limits)
+        captured = fill("captured", name=phrase(table.name), **limits)
         yield f"{captured} {fill('beyond captures')}" if beyond else captured
         if plan.band is not None:
             yield plan.band.sentence()
@@ -171,15 +170,19 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
         yield f"In this fleet, {share} of the endpoints have a match in all other processes."
     if table.repeats:
         of_paper = {*DDS.messages, *ZENOH.messages}
-        names = [message.name for message in table.messages if message in of_paper]
-        if names:
-            yield fill("as the paper", name=table.name, names=wording.join_words(names))
+        if names := [message.name for message in table.messages if message in of_paper]:
+            yield fill("as the paper", names=wording.join_words(names))
         if math.isfinite(plan.window):
-            yield fill("whole burst", window=f"{plan.window:g} s")
+            yield fill("whole burst", window=_first_seconds(plan.window))
     timed = [r.before for r in plan.remedies if r.wifi != plan.wifi]
     before = next((value for value in timed if value != plan.utilization), None)
     if before is not None and not plan.utilization_range.differs:
         yield fill("standard timing", airtime=wording.airtime_text(before, plan.window))
+
+
+def _first_seconds(window: float) -> str:
+    """Name the time in which the airtime of a startup is counted."""
+    return "the first second" if window == PAPER_WINDOW else f"the first {window:g} s"
 
 
 def _at_least(number: AggregationRange) -> str:

@@ -42,7 +42,7 @@ def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None)
     names: dict[str, list[str]] = {}
     for cell, one in seen.items():
         names.setdefault(one.wifi.name, []).append(cell.name)
-    told = [f"{wording.join_words(own)}: {wifi}" for wifi, own in names.items()]
+    told = [f"{wifi} at {wording.join_words(own)}" for wifi, own in names.items()]
     return replace(
         busiest,
         fleet=whole,

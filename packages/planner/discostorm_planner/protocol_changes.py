@@ -158,7 +158,8 @@ def _middleware_changes(protocol: Protocol, ros: str) -> Iterator[Change]:
         skipped = own or separate or unfit or shipped.get(product, table.key) != table.key
         comparable = _comparable_basis(table) == _comparable_basis(protocol)
         if comparable and not skipped and not rules.same_table(table, protocol):
-            yield Change("middleware", f"switching to {table.name}", "table", table=table)
+            name = table.name.replace(", periods of ", " with the timers of ")
+            yield Change("middleware", f"switching to {name}", "table", table=table)
 
 
 def _comparable_basis(table: Protocol) -> str:

@@ -177,7 +177,7 @@ class Remedy:
             rest = f" Periodic traffic still needs {share} of the channel, so the fleet {never}."
         elif self.kind == "combination" and self.verdict == "does not fit":
             rest = f" Spread the starts over {wording.duration(self.start_window)}."
-        return f"Effort: {effort}. Trade-offs: {trade_offs}.{rest}"
+        return f"Effort: {effort}. Trade-off{'s' * ('; ' in trade_offs)}: {trade_offs}.{rest}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return a dict for JSON."""

@@ -259,8 +259,8 @@ class Plan:
         airtime = [r for r in of_kind.values() if "research" not in r.efforts][:_MAX_EXPLAINED]
         parts = [c.remedy for c in found.changes if c.time and not c.remedy.all_discover]
         sections = {
-            "Changes, in the order of the answer:": [change.remedy for change in found.helpful],
-            "Changes by airtime, as no discovery time was simulated:": (
+            "Changes, in the same order as above:": [change.remedy for change in found.helpful],
+            "Changes by airtime, because no discovery time was simulated:": (
                 [] if found.today or found.helpful else airtime
             ),
             "Changes after which some hosts no longer discover each other:": parts,
@@ -271,7 +271,7 @@ class Plan:
         """Return the best change of a kind, or the change with a given description.
 
         Kinds have other names, too (``data/vendors/change_names.csv``). What a plan adds to a
-        description, such as ", at random within 10 s", may stay.
+        description, such as ", at random times within 10 s", may stay.
         """
         remedies = (*self.remedies, *self.combinations, *self.staggered)
         named: dict[str, Remedy] = {}
@@ -311,7 +311,9 @@ class Plan:
 
 def _bare_name(name: str) -> str:
     """Return a change's name in lower case, without article, plural, window and number."""
-    name = re.sub(r"(?i), at random within .*| or fewer\b|^(an?|another|the) ", "", name.strip())
+    name = re.sub(
+        r"(?i), at random times within .*| or fewer\b|^(an?|another|the) ", "", name.strip()
+    )
     return _names.normalize(re.sub(r"(processes\b.* into) \d+", r"\1 1", name)).removesuffix("s")
 
 

@@ -26,7 +26,9 @@ def test_where_no_change_is_enough_the_best_is_simulated_with_a_staggered_start(
     assert change_simulation.MIDDLEWARE_EFFORTS.isdisjoint(first.remedy.efforts)
     said = " ".join(plan.advice().split())
     assert "First step: 1. Composing 6 processes into" in said
-    assert f"and starting one after the other, at random within {first.start_window:g} s" in said
+    assert (
+        f"and starting one after the other, at random times within {first.start_window:g} s" in said
+    )
     assert plan.find_change(first.name) == first.remedy
     texts = configuration_texts(fleet, plan.find_change(first.name), plan.within)
     assert any(f"WINDOW={first.start_window:g}" in text for text in texts)
@@ -43,7 +45,7 @@ def test_where_no_change_is_enough_the_best_is_simulated_with_a_staggered_start(
         ("Discovery Servers", "discovery server"),
         ("composing", "processes"),
         ("Composing 3 processes into 2 or fewer", "processes"),
-        ("starting one after the other, at random within 9 s", "staggered start"),
+        ("starting one after the other, at random times within 9 s", "staggered start"),
     ],
 )
 def test_a_change_has_every_name_that_the_answer_and_the_readme_print(name: str, kind: str) -> None:

@@ -45,7 +45,7 @@ def test_a_plan_tells_the_discovery_time_and_the_airtime_of_each_cell(tmp_path: 
     assert result.exit_code == 0, result.output
     said = " ".join(result.output.split())
     assert said.startswith("Yes, this startup works: 2 robots and 1 carts discover each other")
-    assert "(Fast DDS 3.6; hall: 802.11ac 80 MHz 2x2, yard: 802.11a 20 MHz 1x1)" in said
+    assert "(Fast DDS 3.6, on 802.11ac 80 MHz 2x2 at hall, 802.11a 20 MHz 1x1 at yard)" in said
     assert "Cells do not interfere" in said
     assert "one access point" not in said
     assert "If one robot reboots, all others rediscover it" in said
@@ -97,7 +97,7 @@ def test_changes_of_hosts_and_middleware_are_compared_for_all_cells(tmp_path: Pa
     pasted = run(tmp_path, text, "--paste", "processes")
     assert pasted.stdout.count("# Fill in PACKAGE") == 2
     why = " ".join(run(tmp_path, text, "--why", "--within", "2").stdout.split())
-    assert "Changes, in the order of the answer: 1. " in why
+    assert "Changes, in the same order as above: 1. " in why
 
 
 def test_one_cell_is_planned_as_the_fleet_without(tmp_path: Path) -> None:

@@ -26,6 +26,7 @@ from discostorm.protocols import MEASURED, MITIGATED
 from discostorm.protocols.measured_tables import product_releases
 from discostorm.robots import robots as robots_by_name
 from discostorm_planner import protocol_changes as table_module, remedy_rules
+from discostorm_planner.answer_text import phrase
 from discostorm_planner.changes import Change
 from discostorm_planner.protocol_changes import protocol_changes
 from discostorm_planner.result import simulate_protocols
@@ -79,7 +80,8 @@ def test_a_name_decides_nothing(name: str) -> None:
             [json.dumps(plan.to_dict(simulate=False)), " ".join(plan.why().split())]
             for plan in plans
         )
-        assert [text.replace("(mine)", name) for text in renamed] == usual
+        told = zip(renamed, (name, phrase(name)), strict=True)
+        assert [text.replace("(mine)", own) for text, own in told] == usual
 
 
 @pytest.mark.parametrize("name", [n for n, p in ds.PROTOCOLS.items() if p.family])

@@ -24,6 +24,7 @@ from discostorm import wording
 from discostorm.protocols import MEASURED, MITIGATED
 from discostorm.protocols.measured_tables import product_releases
 from discostorm_planner import simulation_jobs, staggered_start
+from discostorm_planner.answer_text import phrase
 from discostorm_planner.result import simulate_protocols
 
 pytestmark = pytest.mark.usefixtures("few_runs")
@@ -95,7 +96,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
     measured = name in MEASURED | MITIGATED | product_releases().keys()
     of_paper = table.family is not None
     assert ("as the paper does" in text) == (table.repeats and not measured and of_paper)
-    assert (f"The measured model of {name} comes from captures" in text) == measured
+    assert (f"The measured model of {phrase(name)} comes from captures" in text) == measured
     if window == 20:
         assert f"needs {words_of_time(20 * plan.utilization)} of airtime" in text
 
@@ -131,7 +132,7 @@ def test_table_and_json_hold_the_same_numbers() -> None:
     assert read["left_out"] == list(plan.not_applicable) != []
     told = sum(map(len, plan.sections().values()))
     rest = len(plan.remedies) + len(plan.combinations) - told
-    assert f"{rest} changes, why others are left out" in plan.why()
+    assert f"{rest} more changes, and why we left out" in plan.why()
     assert read["fleet"][0]["endpoints"] == 678
     entries, every = read["remedies"] + read["combinations"], plan.remedies + plan.combinations
     assert list(table.index) == [entry["what"] for entry in entries]

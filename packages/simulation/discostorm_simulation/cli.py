@@ -61,11 +61,10 @@ class RunOptions:
     def answer(self, found: ds.Simulation) -> str:
         """State in one or two sentences when discovery is complete."""
         runs = wording.count_noun(self.runs, "run")
-        known = sorted(found.convergence_time.tolist())
-        in_time = [time for time in known if time < float("inf")]
+        in_time = sorted(time for time in found.convergence_time.tolist() if time < float("inf"))
         if not in_time:
             return f"Your robots do not all know each other {self.not_observed_text[4:]} ({runs})."
-        late = len(known) - len(in_time)
+        late = self.runs - len(in_time)
         missing = f", in {late} of them {self.not_observed_text}" if late else ""
         taken = wording.time_range(in_time[0], in_time[-1])
         lost = int((found.counts["expired"] > 0).sum())
@@ -136,13 +135,13 @@ def simulate(
 
     FLEET is a fleet file in TOML; `discostorm plan --help` describes the format. Radios put up to
     64 frames for one receiver into an A-MPDU, if their standard allows it. With recovery (the
-    default), messages trigger answers and the middleware repairs losses. A time that a run does
-    not reach is null in JSON and empty in CSV. We do not simulate recovery with a server on a
-    robot; the answer is then the drain time.
+    default), messages trigger answers and the middleware repairs losses. For a server on a robot,
+    we do not simulate recovery, and the answer is the drain time. Times beyond the end of a run
+    are null in JSON and empty in CSV.
 
     If FLEET lists topics ([[groups.data]]), hosts publish on them during discovery, and each run is
     repeated without topics. A second table shows the samples' delays and the share of frames that
-    arrived. Without recovery, hosts publish from their start to the end.
+    arrived. Without recovery, hosts publish until the end of the run.
 
     "Drained" is the end of the burst's last transmission, and "lost" the share of frames that never
     arrived. "Converged" is the time at which every process knows all others and their endpoints.

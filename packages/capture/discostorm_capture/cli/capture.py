@@ -134,7 +134,9 @@ def capture(
         products = sorted(set(captured.processes()["product"]) & set(ds.PROTOCOLS))
         if against is None and rows and products:
             options = " or ".join(f'--against "{name}"' for name in products)
-            click.echo(f"'expected' is the paper's count. {options} shows the product's instead.")
+            click.echo(
+                f"The column 'expected' has the paper's count; {options} shows the product's."
+            )
         if written is not None:
             _print_next_command(written, link)
 
@@ -200,7 +202,7 @@ def _print_traffic_totals(captured: Capture, sums: DataFrame, seconds: dict[str,
         sizes = row["messages"], row["bytes"], row["airtime_s"], cli_output.percent(row["of_time"])
         click.echo(say("totals", wording.capitalized(str(name)), *sizes, captured.duration))
     for name, time in seconds.items():
-        click.echo(f"Compared with {name} over {time:.1f} s, from its first captured message on.")
+        click.echo(f"The table compares {time:.1f} s from the first message on with {name}.")
 
 
 def _print_next_command(written: str, link: CalculatorLink | None) -> None:

@@ -149,7 +149,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     vain = {pair: count for pair, count in failed.items() if pair in apart and pair[::-1] in found}
     if vain:
         times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}
-        calls = [f"{caller} called {called} {count}" for (caller, called), count in times.items()]
+        calls = [f"{caller} called {called} ({count})" for (caller, called), count in times.items()]
         yield Finding.of("no TCP", [*dict.fromkeys(called for _, called in vain)], calls)
 
 
@@ -373,8 +373,7 @@ def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
         begin, late = max((obs.host_first_last.get(host, (0.0,))[0], host) for host in ends)
         last = max(sent.get(ends, -np.inf), sent.get(ends[::-1], -np.inf))
         if last < begin:
-            since = f" since {last:.1f} s" if np.isfinite(last) else ""
-            texts[late] = say("sends nothing to", late, begin, ends[ends[0] == late], since)
+            texts[late] = say("sends nothing to", late, begin, ends[ends[0] == late])
     if texts:
         yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
 

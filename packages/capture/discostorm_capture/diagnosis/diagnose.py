@@ -174,7 +174,7 @@ class Diagnosis:
         return table
 
     def summary(self) -> str:
-        """Return up to four sentences: an event, the state of discovery, its cause and remedy."""
+        """Return an event, the state of discovery, its cause and remedy, and if more is wrong."""
         happened = [one for one in self.findings if one.role == "headline"]
         limits = [one for one in self.findings if one.about == "capture"]
         limits = [one for one in limits if not one.kind.startswith("clock")]
@@ -187,6 +187,8 @@ class Diagnosis:
             sentences += [to_sentence(reported[0].evidence), to_sentence(reported[0].advice)]
         elif self.complete is None:
             sentences.append(say("record", wording.TCPDUMP.format(file="discovery.pcap")))
+        if (found := len(self.wrong)) > 1:
+            sentences.append("Another finding follows." if found < 3 else "Other findings follow.")
         return " ".join(filter(None, sentences))
 
     def _describe_state(self) -> str:
@@ -198,29 +200,27 @@ class Diagnosis:
         count += f" on {wording.count_noun(len(hosts) - len(left), 'host')}"
         seen = f", counting only pairs with {obs.vantage_host}" if obs.vantage_host else ""
         if self.wrong:
-            more = len(self.wrong) - 1
-            also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
             good = "complete and over, but " if self.over else "complete, but "
             if any(one.role for one in self.wrong):
                 good = ""  # a finding concerns pairs, so do not call discovery complete
             bad = ["healthy", *["complete"] * (self.complete is False)]
             bad += ["over"] * (self.over is False)
-            state = f"{good if self.complete else ''}not {' and not '.join(bad)}"
-            return f"Discovery is {state}: {self.wrong[0].summary}{also}."
+            not_so = f"neither {' nor '.join(bad)}" if len(bad) > 1 else "not healthy"
+            return f"Discovery is {good * bool(self.complete)}{not_so}: {self.wrong[0].summary}."
         if self.complete is False:
             lacking = f"{len(self._evidence.incomplete_pairs)} of {self.pairs} pairs of processes"
-            return f"Discovery is not complete: {lacking} have not discovered all of each other."
+            return f"Discovery is not complete: {lacking} have not discovered each other fully."
         if self.complete is None:
             if not len(self._hosts):
                 return "The capture shows no discovery of DDS or Zenoh."
             return f"The capture does not show whether discovery is complete ({count})."
-        state = "complete and over" if self.over else "complete, but not over"
+        state = "complete and over" if self.over else "complete, but announcements go on"
         if self.healthy:
             state = "healthy, " + state if self.over else "healthy and " + state
         time = self.complete_at
-        when = f" after {time:.{1 if time >= 1 else 2}f} s" if time >= 0.01 else " within 10 ms"
+        when = f" within {time:.{1 if time >= 1 else 2}f} s" if time >= 0.01 else " within 10 ms"
         when = when if np.isfinite(time) else ""
-        return f"Discovery is {state}: {count} know each other{when}{seen}."
+        return f"Discovery is {state}: {count} discovered each other{when}{seen}."
 
     def to_dict(self) -> dict[str, Any]:
         """Return all results as JSON can hold them; infinite and unknown times are null."""

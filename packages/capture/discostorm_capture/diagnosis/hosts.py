@@ -57,7 +57,7 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
         host = target if target in speakers else asker
         lasts = len(times) > 2 and np.ptp(times) >= LIMITS.timeout
         if lasts and host in quiet and (target, asker) not in asked:
-            text = f"{asker} asked {len(times)} times by ARP for {target} and got no answer"
+            text = f"{asker} sent {len(times)} ARP requests for {target} and got no answer"
             texts.setdefault(host, []).append(text)
     for host, unanswered in texts.items():
         yield Finding.of("wrong route", (host,), "; ".join(unanswered))
@@ -131,7 +131,9 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
     if apart:  # without a majority, each clock may be the wrong one
         hosts = tuple(sorted(clocks if 2 * len(apart) >= len(clocks) else apart))
         ways = {host: "behind" if one < 0 else "ahead of" for host, one in apart.items()}
-        said = [f"{h}'s clock is {wording.duration(abs(apart[h]))} {ways[h]} others" for h in ways]
+        said = [
+            f"{h}'s clock is {wording.duration(abs(apart[h]))} {ways[h]} the others" for h in ways
+        ]
         yield Finding.of("clock differs", hosts, said)
 
 
@@ -146,12 +148,12 @@ def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
         if known and target not in there and np.ptp(times) >= LIMITS.timeout:
             requests.setdefault(target, {})[asker] = len(times)
     for target, counts in requests.items():
-        kind, text = "server down" if obs.messages.empty else "absent", ", and no answer came"
+        kind, text = "server down" if obs.messages.empty else "absent", ", but no answer came"
         if target in obs.process_host and not obs.subnet_neighbors(target, counts):
             kind, text = "no route", f"{text}; others announced a process there"
             if near := obs.subnet_neighbors(target, sorted(obs.announced_addresses)):
                 text += say("same network", near, "is" if len(near) == 1 else "are")
-        asks = [f"{of} asked {times} times by ARP for {target}" for of, times in counts.items()]
+        asks = [f"{of} sent {times} ARP requests for {target}" for of, times in counts.items()]
         yield Finding(kind, (target,), f"{join_names(asks)}{text}")
 
 

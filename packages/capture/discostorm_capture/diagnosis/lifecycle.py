@@ -24,7 +24,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
         starts = sorted(first[new] for chain in chains for new in chain[1:])
         times = _format_times(starts)
         which = "processes" if len(starts) > 1 else "a process"
-        again[host] = f"{host}: {which} began at {times}, after the previous one had gone silent"
+        again[host] = f"on {host}, {which} began at {times}, after the previous one had gone silent"
         if max(map(len, chains)) >= LIMITS.min_loop_starts:
             yield Finding("crash loop", (host,), again.pop(host))
     for server in sorted(obs.servers):

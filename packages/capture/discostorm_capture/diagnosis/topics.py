@@ -139,7 +139,7 @@ def looping_bridges(evidence: Evidence) -> Iterator[Finding]:
     for pair in combinations(counts, 2):
         if {pair, pair[::-1]} <= links:
             text = join_names([say("bridged", of, *counts[of]) for of in pair], "; ")
-            yield Finding("bridges in a loop", pair, f"{text}, also to each other")
+            yield Finding("bridges in a loop", pair, f"{text}; they also sent these to each other")
 
 
 def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:
@@ -195,7 +195,7 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
                 hosts = found[kind].setdefault(f"{name}: {text}", set())
                 hosts.update(ends[writer], ends[reader])
     for kind, texts in found.items():
-        more = f" (and {len(texts) - MAX_TOPICS} more)" if len(texts) > MAX_TOPICS else ""
+        more = f"; and {len(texts) - MAX_TOPICS} more" if len(texts) > MAX_TOPICS else ""
         text = "; ".join([*texts][:MAX_TOPICS]) + more
         yield Finding(kind, tuple(sorted(set().union(*texts.values()))), text)
 
@@ -213,8 +213,8 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
                 is_service = both["topic"].iloc[0].startswith("rq/")
                 verbs = ("offered", "called") if is_service else ("read", "written")
                 named = zip(both["topic"].map(ros_topic), both["writer"], both["host"], strict=True)
-                text = [f"{topic} is {verbs[writes]} by {host}" for topic, writes, host in named]
-                yield Finding("topic names", (*both["host"].unique(),), f"{join_names(text)} only")
+                text = [f"{topic} is only {verbs[use]} (by {host})" for topic, use, host in named]
+                yield Finding("topic names", (*both["host"].unique(),), join_names(text))
 
 
 def unknown_qos(evidence: Evidence) -> Iterator[Finding]:

@@ -106,7 +106,7 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     text = say("loss", when.min(), when.max(), again, sent, share, low, high)
     ((host, most),) = ends.most_common(1)
     if len(ends) > 2 and most >= LIMITS.min_share_of_one_host * again:
-        text += f"; {wording.percent(most / again)} of these frames were from or to {host}"
+        text += f"; {wording.percent(most / again)} of the repeated ones were from or to {host}"
     yield Finding("heavy loss" if heavy else "loss", (), text)
 
 
@@ -179,7 +179,7 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
             floods[tuple(map(str, what))] += len(group)
     if not floods:
         return
-    flows = [f"{one} to {other} ({kind})" for one, other, kind in floods]
+    flows = [f"{kind} from {one} to {other}" for one, other, kind in floods]
     text = say("flood", floods.total() / lasting, lasting, complete, flows)
     senders = tuple(dict.fromkeys(sender for sender, *_ in floods))
     for host in senders:
@@ -232,9 +232,9 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         if count < LIMITS.min_messages:
             continue
         served = sorted({*times} - {*failed})
-        text = f"{wording.count_noun(len(failed), 'host')} sent it {count} unanswered messages"
+        text = f"{count} messages from {wording.count_noun(len(failed), 'host')} got no answer"
         if refused := obs.events("unreachable")["receiver"].eq(host).sum():
-            text += f"; it replied {refused} times that no process uses the port (ICMP)"
+            text += f" except {refused} ICMP replies that no process uses the port"
         asked = {row[1:4] for row in obs.event_tuples("asked") if row[2] == host}
         tried = {port for caller, _, port in asked if caller in failed}
         answers = {port for caller, _, port in asked if caller in served}
@@ -246,9 +246,9 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
             yield Finding.of("different discovery", failed, host, text, free)
         elif not served:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
-            spoke = "it never spoke" if np.isinf(last) else f"it last spoke after {last:.1f} s"
-            at = f" at port {join_names([*map(str, sorted(tried))])}" if tried else ""
-            yield Finding("server down", (host,), f"{host}{at}: {text}; {spoke}")
+            spoke = "the host sent nothing" + ("" if np.isinf(last) else f" after {last:.1f} s")
+            at = f", port {join_names([*map(str, sorted(tried))])}" if tried else ""
+            yield Finding("server down", (host,), f"at {host}{at}, {text}; {spoke}")
         elif not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
             yield Finding.of("server number", failed, host, served, count)
         elif not (heard & obs.isin("sender", *failed)).any():
@@ -293,20 +293,20 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             old, new = ({*versions[obs.process_host == end]} - {0} for end in (caller, host))
             if old and new and not old & new:
                 kind = "different releases"
-                text += f"; Zenoh's protocol: version {max(old)} there, {max(new)} at {host}"
+                text += f"; they speak versions {max(old)} and {max(new)} of Zenoh's protocol"
             yield Finding(kind, (caller,), text)
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
-            text += "unlike others, sent no Zenoh without TLS there"
+            text += "unlike others, sent no unencrypted Zenoh there"
             yield Finding("wrong port", (caller,), text)
         elif port == ZENOH_PORT and obs.messages.empty:
-            without_session.setdefault(host, []).append(f"{text}each ended before a session")
+            without_session.setdefault(host, []).append(f"{text}each ended before a session began")
     for host, texts in without_session.items():
         yield Finding("TLS fails", (host,), "; ".join(texts))
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
         if len(rows) < LIMITS.min_calls or host in peers or np.ptp(times) < LIMITS.min_wait:
             continue
-        text = join_names([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
+        text = join_names([f"{n} times {kind}" for kind, n in Counter(kinds).most_common()])
         who = tuple(sorted({*callers}))
         if by_udp and (host, ZENOH_PORT) in taken:
             yield Finding("wrong port", who, say("TCP instead", who, host, ZENOH_PORT, text))
@@ -314,10 +314,10 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             yield Finding.of("wrong port", who, host, port, text, ZENOH_PORT)
         elif port == ZENOH_PORT:
             by = wording.count_noun(len(who), "host")
-            text = f"connections to port {ZENOH_PORT} by {by}: {text}"
+            text = f"connections to port {ZENOH_PORT} by {by} failed ({text})"
             if (host, port) in taken:
                 text += f"; the last one was accepted after {taken[host, port]:.1f} s"
-            yield Finding("server down", (host,), f"{host}: {text}")
+            yield Finding("server down", (host,), f"at {host}, {text}")
 
 
 def vanished_packets(evidence: Evidence) -> Iterator[Finding]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import shutil
 import sys
+import tomllib
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import replace
@@ -47,54 +48,24 @@ from discostorm_planner.simulation_jobs import WITHIN_S, Progress
 
 #: Estimated computing time from which progress is shown [s].
 _LONG_WORK_S = 2.0
-#: Text of the command's help.
-_HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encoding="utf-8")
+#: Texts of the command's help and of its options.
+_HELP = tomllib.loads(data_path("written/plan_help.toml", "discostorm_planner").read_text("utf-8"))
+_OPTIONS: dict[str, str] = _HELP["options"]
 
 
-@click.command(help=_HELP.replace("\\b", "\b"))
+@click.command(help=_HELP["plan"].replace("\\b", "\b"))
 @swarm_options
 @protocol_option
+@click.option("--nodes", callback=parse_number_list, metavar="N[,N...]", help=_OPTIONS["nodes"])
+@click.option("--shared", type=float, metavar="N", help=_OPTIONS["shared"])
 @click.option(
-    "--nodes",
-    callback=parse_number_list,
-    metavar="N[,N...]",
-    help="Nodes with parameter services in each process; for several groups: 13,2.  "
-    "[default: those of the file, else 1 if the endpoints suffice]",
+    "--within", type=float, metavar="SECONDS", help=_OPTIONS["within"].format(within=WITHIN_S)
 )
-@click.option(
-    "--shared",
-    type=float,
-    metavar="N",
-    help="Endpoints of each process that have a match in every other process despite namespaces; "
-    "0 without ROS 2.  [default: ROS 2's 2 per process and 2 per node; with unknown "
-    "nodes, those of ready-made robots of that size]",
-)
-@click.option(
-    "--within",
-    type=float,
-    metavar="SECONDS",
-    help="Target discovery time: a startup works if nine of ten simulated runs meet it.  "
-    f"[default: that of the file, else {WITHIN_S:g}]",
-)
-@click.option("--all", "all_changes", is_flag=True, help="List all changes that we tried.")
-@click.option(
-    "--why",
-    is_flag=True,
-    help="Add explanations: drain time, airtime and its parts, configurations, assumptions.",
-)
-@click.option(
-    "--paste",
-    metavar="NAME",
-    help="Print the configuration for a change and the lines that load it.",
-)
-@click.option(
-    "--write",
-    "folder",
-    metavar="DIR",
-    help="Write the configuration of --paste, or of the first sufficient change, into a folder for "
-    "each host, with a README. Nothing is written if the startup already works.",
-)
-@click.option("--force", is_flag=True, help="Let --write replace files.")
+@click.option("--all", "all_changes", is_flag=True, help=_OPTIONS["all"])
+@click.option("--why", is_flag=True, help=_OPTIONS["why"])
+@click.option("--paste", metavar="NAME", help=_OPTIONS["paste"])
+@click.option("--write", "folder", metavar="DIR", help=_OPTIONS["write"])
+@click.option("--force", is_flag=True, help=_OPTIONS["force"])
 @wifi_options
 @output_options
 def plan(
@@ -149,6 +120,9 @@ def plan(
         else:
             width = min(max(shutil.get_terminal_size().columns, 40), 79)
             click.echo(visible(plans[0].advice(width, all_changes=all_changes)))
+            hints = ["why"] * (not why) + ["all"] * (not all_changes)
+            if hints and not (plans[0].all_wired or fleet.hosts() == 1):
+                click.echo(wording.wrap(" ".join(map(answer_text.fill, hints)), width))
             if why:
                 click.echo("\n" + visible(plans[0].why(width)))
 
@@ -171,7 +145,7 @@ def _progress_bar(busy: str) -> Iterator[Progress]:
 
         def show(done: float, total: float) -> None:
             if (live or plain) and not bars and total > _LONG_WORK_S:
-                click.echo(f"{busy} Ctrl-C prints what is known.", err=True)
+                click.echo(f"{busy} Ctrl-C prints the results so far.", err=True)
                 length, to = int(100 * total), sys.stderr
                 bar = click.progressbar(length=length, label="runs", file=to, hidden=not live)
                 bars.append(shown.enter_context(bar))
@@ -188,8 +162,7 @@ def _simulate_plan(answer: ds.Plan) -> None:
     low = answer.startup.bounds[0]
     busy = "Periodic traffic alone fills the channel."
     if math.isfinite(low):
-        least = wording.time_range(low, low)
-        busy = f"If nothing is lost, startup keeps the channel busy for at least {least}."
+        busy = f"Today's startup needs at least {wording.time_range(low, low)} of airtime."
     with _progress_bar(f"{busy} Simulating it and its changes.") as show:
         answer.simulate(show, interruptible=True)
 
@@ -238,8 +211,7 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
         if answer.discovery.surely_works:
             print_paragraph(answer_text.fill("nothing to write"))
             return
-        enough = (c.name for c in answer.discovery.sufficient if c.remedy.snippets)
-        name = next(enough, None)
+        name = next((c.name for c in answer.discovery.sufficient if c.remedy.snippets), None)
         if name is None:
             raise ValueError(answer_text.fill("nothing written"))
     remedy = _find_configured(answer, name)
@@ -273,8 +245,7 @@ def _set_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float |
     count = len(fleet.groups)
     of_groups = nodes if isinstance(nodes, list) else [nodes] * count
     if len(of_groups) != count:
-        told = f"one number, or one per group ({count}); got {nodes}"
-        raise ValueError(f"nodes must be {told}")
+        raise ValueError(f"nodes must be one number, or one per group ({count}); got {nodes}")
     groups = []
     for group, given in zip(fleet.groups, of_groups, strict=True):
         own, many = group.shared, group.nodes if given is None else given
