@@ -269,10 +269,10 @@ class Capture:
         from discostorm_capture.diagnosis.hosts import parse_expected_hosts
 
         hosts = parse_expected_hosts(expected)
-        messages, events = (
-            observations.remove_clock_steps(table, self._recording)
-            for table in (self._messages_between_hosts(), self._network_events)
-        )
+        rows = self._messages_between_hosts()
+        rows = rows.assign(airtime_s=self.airtime(), user=counts.user_data_shares(rows))
+        messages = observations.remove_clock_steps(rows, self._recording)
+        events = observations.remove_clock_steps(self._network_events, self._recording)
         if self._recording.clock_steps:
             messages = messages.sort_values("time", kind="stable")
         processes = self._processes[self._processes["host"] != ""].copy()

@@ -149,11 +149,9 @@ def comparison_table(
     for message in protocol.messages:
         visible = shown.visible_units(message)
         units.setdefault(message.kind, visible)
-        if started:
-            times = float(np.asarray(message.schedule.sent(seconds)))
-        else:
-            times = seconds * message.schedule.per_second
-        sent = visible * message.per_unit * times
+        each = message.schedule
+        times = np.asarray(each.sent(seconds)) if started else seconds * each.per_second
+        sent = visible * message.per_unit * float(times)
         expected[message.kind] = expected.get(message.kind, 0.0) + sent
     table.insert(0, "units", pd.Series(units))
     table.insert(1, "expected", pd.Series(expected))

@@ -86,14 +86,11 @@ class Dissection:
     endpoints: dict[tuple[str, int], tuple[int, Endpoint | None]] = field(default_factory=dict)
 
 
-def message_table(
-    packets: Columns, rows: Array, protocol: int, kind: Array, **more: Any
-) -> Columns:
+def message_table(packets: Columns, rows: Array, protocol: int, kind: Array, **own: Any) -> Columns:
     """Return a table of messages; `rows` are the packets that completed them."""
     packet = packets.keys() & {"frame", "source", "target", "direction", "process", "peer"}
     table: dict[str, Array | int] = {"peer": -1} | {name: packets[name][rows] for name in packet}
-    table |= {"protocol": protocol, "kind": kind, "submessage": kind}
-    table |= more
+    table |= {"protocol": protocol, "kind": kind, "submessage": kind, **own}
     return {
         name: np.broadcast_to(table.get(name, 0), len(rows)).astype(dtype)
         for dtype, names in _COLUMNS_BY_TYPE.items()

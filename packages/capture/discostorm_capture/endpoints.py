@@ -18,6 +18,8 @@ RANKED_QOS: dict[str, list[str]] = _QOS["ranked"]
 RELIABILITIES, DURABILITIES, LIVELINESSES, DESTINATION_ORDERS, ACCESS_SCOPES = RANKED_QOS.values()
 #: Policies with a time that must not be longer at the writer than at the reader, and their field.
 TIME_QOS: dict[str, str] = _QOS["times"]
+#: What to change at either end, by the policy that is incompatible.
+QOS_REMEDIES: dict[str, str] = _QOS["remedies"]
 #: Kinds of ownership; data representations, by number (DDS-XTypes 1.3, 7.6.3.1.1).
 OWNERSHIPS, DATA_REPRESENTATIONS = (tuple(_QOS[name]) for name in ("ownership", "representation"))
 #: Values of the last byte of an entity id that mark a writer (DDSI-RTPS 2.5, 9.3.1.2).

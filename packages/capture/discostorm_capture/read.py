@@ -194,28 +194,24 @@ def _message_table(
     return pd.DataFrame(named | {"frames": messages["frames"]})
 
 
-def _names_by_protocol(
-    protocol_of_row: Array, numbers: Array, names: Sequence[Sequence[str]]
-) -> Any:
+def _names_by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
     """Return a categorical of names, given numbers that start from 0 for each protocol."""
     first = np.cumsum([0, *map(len, names[:-1])])
-    return categorical(first[protocol_of_row] + numbers, [name for part in names for name in part])
+    return categorical(first[protocol] + numbers, [name for part in names for name in part])
 
 
 def _event_table(events: Columns, since: Array, addresses: list[str]) -> DataFrame:
     """Return the network events with names instead of numbers."""
     import pandas as pd
 
-    return pd.DataFrame(
-        {
-            "time": since[events["frame"]],
-            "frame": events["frame"] + 1,
-            "kind": categorical(events["kind"], network_events.EVENT_KINDS),
-            "sender": categorical(events["source"], addresses),
-            "receiver": categorical(events["target"], addresses),
-            "port": events["port"],
-        }
-    )
+    table = {
+        "time": since[events["frame"]],
+        "frame": events["frame"] + 1,
+        "kind": categorical(events["kind"], network_events.EVENT_KINDS),
+        "sender": categorical(events["source"], addresses),
+        "receiver": categorical(events["target"], addresses),
+    }
+    return pd.DataFrame(table | {"port": events["port"]})
 
 
 def _endpoint_table(dissections: list[Dissection]) -> DataFrame:
@@ -238,24 +234,23 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
     names = [*addresses, ""]
     times = [since[p.first_frame] if p.first_frame >= 0 else np.nan for p in processes]
     announced = [" ".join(names[a] for a in p.announced_addresses) for p in processes]
-    return pd.DataFrame(
-        {
-            "protocol": [PROTOCOLS[p.protocol] for p in processes],
-            "product": [p.product for p in processes],
-            "host": [names[p.host] for p in processes],
-            "endpoints": [p.endpoints for p in processes],
-            "time": times,
-            "server": np.array([p.is_server for p in processes], bool),
-            "domain": np.array([p.domain for p in processes], np.int64),
-            "announces": announced,
-            "lease": np.array([p.lease for p in processes], np.float64),
-            "tag": [p.domain_tag for p in processes],
-            "version": np.array([p.version for p in processes], np.int64),
-            "static": np.array([p.static for p in processes], bool),
-            "secured": np.array([p.has_credentials for p in processes], bool),
-        },
-        index=pd.Index([p.name for p in processes], name="process", dtype=object),
-    )
+    table = {
+        "protocol": [PROTOCOLS[p.protocol] for p in processes],
+        "product": [p.product for p in processes],
+        "host": [names[p.host] for p in processes],
+        "endpoints": [p.endpoints for p in processes],
+        "time": times,
+        "server": np.array([p.is_server for p in processes], bool),
+        "domain": np.array([p.domain for p in processes], np.int64),
+        "announces": announced,
+        "lease": np.array([p.lease for p in processes], np.float64),
+        "tag": [p.domain_tag for p in processes],
+        "version": np.array([p.version for p in processes], np.int64),
+        "static": np.array([p.static for p in processes], bool),
+        "secured": np.array([p.has_credentials for p in processes], bool),
+    }
+    index = pd.Index([p.name for p in processes], name="process", dtype=object)
+    return pd.DataFrame(table, index=index)
 
 
 def _note_sentences(

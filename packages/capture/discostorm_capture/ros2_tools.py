@@ -23,6 +23,7 @@ from discostorm_capture.live_capture import PacketStream
 from discostorm_capture.pcap import CaptureError
 from discostorm_capture.read import read_capture
 from discostorm_capture.rtps import DOMAIN_GAIN, PORT_BASE
+from discostorm_capture.sentences import say
 
 #: How long the network is recorded [s].
 RECORDING_TIME = 10.0
@@ -101,8 +102,7 @@ def _crowded_domains() -> Iterator[str]:
     places = [divmod(port - PORT_BASE, DOMAIN_GAIN) for port in ports if port % 2 == 0]
     for domain, count in Counter(of for of, at in places if at >= FIRST_PROCESS_PORT).items():
         if count > MUTATION_TRIES:
-            text = f"{count} processes of domain {domain}, where Fast DDS tries"
-            yield f"{text} {MUTATION_TRIES} ports (mutation_tries)"
+            yield say("crowded domain", count, domain, MUTATION_TRIES)
 
 
 class Discovery:

@@ -222,10 +222,7 @@ def _read_field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: 
 def _count_nacked_samples(
     data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array
 ) -> tuple[Array, Array]:
-    """Return how many samples each ACKNACK requests, and whether it has received later ones.
-
-    The bitmap of its SequenceNumberSet says so (9.4.2.6).
-    """
+    """Return how many samples each ACKNACK requests (9.4.2.6), and whether it has later ones."""
     nacked, holes = np.zeros(len(kind), np.int16), np.zeros(len(kind), bool)
     bits_at = at + _SEQUENCE_NUMBER_OFFSETS[ACKNACK] + 4
     for row in np.flatnonzero((kind == ACKNACK) & (bits_at + 4 <= last)).tolist():

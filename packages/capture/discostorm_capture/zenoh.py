@@ -26,9 +26,7 @@ _HELLO, _TOKEN, _KEY_EXPRESSION = map(_code_of, ("Hello", "DeclareToken", "Decla
 #: Codes of declarations of endpoints. A DeclareToken also declares one if it names one of ROS 2.
 _ENDPOINT_CODES = [*map(_code_of, ("DeclareSubscriber", "DeclareQueryable"))]
 #: IPv4 address of a locator in a Hello: where its process listens.
-_IPV4_LOCATOR = re.compile(
-    rb"/((?:(?:25[0-5]|2[0-4]\d|1?\d?\d)\.){3}(?:25[0-5]|2[0-4]\d|1?\d?\d)):"
-)
+_LOCATOR = re.compile(rb"/((?:(?:25[0-5]|2[0-4]\d|1?\d?\d)\.){3}(?:25[0-5]|2[0-4]\d|1?\d?\d)):")
 #: Minimum share of readable datagrams in a session without captured start [1].
 _MIN_READABLE_SHARE = 0.8
 #: Head of the QoS extension of a fragment, which has its priority; flag of a reliable fragment.
@@ -126,7 +124,7 @@ def _dissect_scouting(data: Bytes, scouts: Columns, seen: _Roster, addresses: Id
         process[row] = id_ = seen.add(data[begin:end].tobytes(), role, scouts, row)
         if is_hello[row]:
             locators = data[end : scouts["at"][row] + scouts["size"][row]].tobytes()
-            texts = _IPV4_LOCATOR.findall(locators)
+            texts = _LOCATOR.findall(locators)
             named = {addresses.id_of(ip_address(text.decode()).packed) for text in texts}
             listens = seen.listening_addresses
             listens[id_] = max(named, listens[id_], key=len)
@@ -141,7 +139,7 @@ def _dissect_scouting(data: Bytes, scouts: Columns, seen: _Roster, addresses: Id
 
 def _dissect_udp_sessions(data: Bytes, datagrams: Columns, seen: _Roster) -> list[Columns]:
     """Return the messages of sessions over UDP, where each datagram is one batch."""
-    table, opened, reverse = _split_udp_sessions(data, datagrams, seen.notes)
+    table, opened, reverse = _udp_sessions(data, datagrams, seen.notes)
     # Assign in reverse order, so that the first row of each stream remains.
     first = np.zeros(len(reverse), np.int64)
     first[table["stream"][::-1]] = np.arange(len(table["stream"]))[::-1]
@@ -298,9 +296,7 @@ def _reassemble(
     return content, inner, outer, new
 
 
-def _split_udp_sessions(
-    data: Bytes, datagrams: Columns, notes: Notes
-) -> tuple[Columns, Openings, Array]:
+def _udp_sessions(data: Bytes, datagrams: Columns, notes: Notes) -> tuple[Columns, Openings, Array]:
     """Return datagrams of sessions with their ``stream``; openings; opposites of streams."""
     datagrams = datagrams | {"end": datagrams["at"] + datagrams["size"]}
     sender, receiver = ip.sender_and_receiver_sockets(datagrams)

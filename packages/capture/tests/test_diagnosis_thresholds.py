@@ -273,6 +273,6 @@ def test_loss_is_told_if_its_interval_is_above_the_threshold(
     counts: tuple[object, object], told: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ends, when = Counter({"10.77.0.1": 1, "10.77.0.2": 1}), np.array([1.0])
-    monkeypatch.setattr(traffic, "find_losses", lambda _: (*counts, ends, when))
+    monkeypatch.setattr(traffic, "find_losses", lambda _: (*counts, ends, ends, when))
     diagnosis = diagnosed([*startup(0.0, 1, 2), *regularly(1, 10), *regularly(2, 10)])
     assert ("loss" in kinds(diagnosis)) == told

@@ -8,7 +8,7 @@ from typing import Any
 import handmade_captures as handmade
 import pytest
 from click.testing import CliRunner
-from support import ROOT
+from support import REFERENCE, ROOT
 
 import discostorm as ds
 from discostorm.cli.main import main
@@ -80,7 +80,10 @@ def test_in_real_fleets_the_missing_hosts_are_named(name: str, tmp_path: Path) -
     path = Path(__file__).with_name("captures") / f"missing_{name}.pcap.xz"
     addresses = [f"10.77.0.{host}" for host in range(1, count + 1)]
     named = run("--expect", ",".join(addresses), path=path)
-    assert [one["hosts"] for one in named["findings"] if one["kind"] == "missing"] == [absent]
+    missing = [one for one in named["findings"] if one["kind"].startswith("missing")]
+    assert [one["hosts"] for one in missing] == [absent]
+    # A host that sent other packets is on.
+    assert ("on and in the Wi-Fi" in missing[0]["advice"]) == (name != "localhost_only")
     assert str(named["summary"]).startswith("Discovery is not healthy: " + join_words(absent))
     # A number or a fleet has no addresses: those that are there are named.
     fleet = tmp_path / "fleet.toml"
@@ -98,10 +101,24 @@ def test_in_real_fleets_the_missing_hosts_are_named(name: str, tmp_path: Path) -
 def test_a_missing_host_that_asks_for_an_address_in_vain_is_told_with_it() -> None:
     """The router of 10.77.0.3 connects to an old address; without --expect it may be any host."""
     capture = ds.read_capture(Path(__file__).with_name("captures") / "router_moved.pcap.xz")
-    assert capture.diagnosis().findings == ()
+    (event,) = capture.diagnosis().findings
+    assert (event.kind, event.about, event.hosts) == ("wrong server", "event", ("10.77.0.3",))
+    assert "10.77.0.3 asked 6 times by ARP for 10.77.0.200, which never answered" in event.evidence
     first = capture.diagnosis(HOSTS).findings[0]
-    assert (first.kind, first.hosts) == ("missing", ("10.77.0.3",))
+    assert (first.kind, first.hosts) == ("missing, wrong address", ("10.77.0.3",))
     assert "10.77.0.3 asked for 10.77.0.200 by ARP, and got no answer" in first.evidence
+    assert first.advice.startswith(
+        "On 10.77.0.3, correct the address of the server, router or peer"
+    )
+
+
+def test_what_is_wrong_with_a_missing_host_comes_before_general_checks() -> None:
+    """Nothing listens on the host that should be the router: its system refuses connections."""
+    path = REFERENCE / "captures" / "ills" / "server_never_there-zenoh-router.pcap.xz"
+    first, second = ds.read_capture(path).diagnosis(("10.77.0.101",)).wrong
+    assert (first.kind, first.hosts) == ("server down", ("10.77.0.101",))
+    assert second.kind.startswith("missing")
+    assert "10.77.0.101" in second.hosts
 
 
 def run(*arguments: str, path: Path = HEALTHY) -> dict[str, Any]:

@@ -9,6 +9,7 @@ what the server sends or gets. Hosts are
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from support import check_first_sentence
 
@@ -254,6 +255,12 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "but none of the unicast between them is ever confirmed (3 pairs)",
             "Check whether `ping` works from host to host",
         ),
+        (
+            "router_behind_firewall",  # which answers ARP, but no call
+            "10.77.0.101 is on, but does not answer calls to the server or router there, because a",
+            "t 10.77.0.101, connections to port 7447 by 3 hosts failed (9 times unanswered)",
+            "On 10.77.0.101, check `ufw status` or `nft list ruleset`, and allow the port",
+        ),
     ],
 )
 def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
@@ -313,11 +320,16 @@ def test_a_third_host_sees_multicast_alone() -> None:
 
 def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
     found = diagnosis("deaf_to_multicast")
-    assert "counting only pairs with 10.77.0.1" in found.summary()
+    assert "complete" not in found.summary()
+    assert "Only pairs with 10.77.0.1 discovered each other" in found.summary()
     (finding,) = found.findings
     assert finding.kind == "multicast of one host"
     assert found.healthy is None
-    assert "If not, let the access point and switches pass multicast" in found.summary()
+    assert found.summary().startswith(
+        "Either the access point keeps the hosts other than 10.77.0.1"
+    )
+    assert finding.advice.startswith("Turn client isolation (AP isolation) off")
+    assert "works between the other hosts, let the access point and switches pass" in finding.advice
     assert "10.77.0.2 and 10.77.0.3 never sent ARP requests for each other" in finding.evidence
 
 
@@ -332,9 +344,27 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
         ),
         (
             "shell_loop",
-            "complete, but neither healthy nor over: a process on 10.77.0.1 starts again and again",
+            "complete, but neither healthy nor over: a process on 10.77.0.1 starts, ends properly,",
             "n 10.77.0.1, a process started and said goodbye 7 times, about every 2.6 s",
-            "Look at the log of the process that restarts on 10.77.0.1",
+            "Find what starts a short-lived program on 10.77.0.1 again and again",
+        ),
+        (
+            "busy_computer",  # the process runs for 0.2 s of every 2 s
+            "complete and over, but not healthy: a process on 10.77.0.2 pauses again and again",
+            "10.77.0.2 sent nothing 6 times for over 1 s, up to 3.1 s, while others asked it 320",
+            "On 10.77.0.2, run `top`",
+        ),
+        (
+            "weak_wifi",  # 30% of the packets to and from host 3 are dropped
+            "complete and over, but not healthy: many frames from and to 10.77.0.3 are lost",
+            "100% of the repeated ones were from or to 10.77.0.3, about 21% of its 248 frames",
+            "Check the radio link of 10.77.0.3",
+        ),
+        (
+            "image_by_multicast",
+            "complete and over, but not healthy: 10.77.0.1 sends much data by multicast",
+            "10.77.0.1 sends /camera/image_raw by multicast, which takes 59% of the paper's",
+            "Let 10.77.0.1 send data by unicast (set AllowMulticast to spdp in Cyclone DDS)",
         ),
         (
             "multicast_is_lossy",
@@ -379,8 +409,9 @@ def test_sessions_that_break_come_before_the_segments_that_are_lost_then() -> No
 
 def test_a_late_joiner_without_contact_points_at_multicast_that_stopped() -> None:
     first = diagnosis("multicast_stops").findings[0]
-    assert (first.kind, first.hosts) == ("cut off", ("10.77.0.4",))
+    assert (first.kind, first.hosts) == ("multicast stopped", ("10.77.0.4",))
     assert "multicast may have stopped since" in first.evidence
+    assert "turn an IGMP querier on, or IGMP snooping off" in first.advice
 
 
 def test_a_host_without_multicast_is_missing() -> None:
@@ -445,6 +476,15 @@ def test_nothing_is_found_in_healthy_fleets(name: str) -> None:
     found = diagnosis(name)
     assert found.healthy
     assert found.findings == ()
+
+
+def test_much_data_by_unicast_stands_above_a_healthy_fleet() -> None:
+    capture = ds.read_capture(STAGED / "healthy_dual_stack.pcap.xz")
+    rows = capture._messages
+    frames = rows["frames"].where(~rows["kind"].isin(["User data", "Push"]), np.float32(600))
+    found = replace(capture, _messages=rows.assign(frames=frames)).diagnosis()
+    assert (found.healthy, [one.kind for one in found.findings]) == (True, ["much data"])
+    assert found.summary().startswith("User data takes more than half of the channel, most of it ")
 
 
 def test_two_fleets_of_which_one_keeps_the_default_domain_are_a_fault() -> None:

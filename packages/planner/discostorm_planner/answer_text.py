@@ -79,6 +79,11 @@ def _reboot_lines(plan: Plan) -> list[str]:
     return [fill("reboot", time=_time_text(late.median), kept=kept)]
 
 
+def verdict(plan: Plan) -> str:
+    """Return whether the startup works, in a sentence."""
+    return _verdict_lines(plan)[0]
+
+
 def _verdict_lines(plan: Plan) -> list[str]:
     """Return whether the startup works, how long discovery takes, and what stops it."""
     found, today = plan.discovery, plan.discovery.today
@@ -383,8 +388,8 @@ def _certainty_lines(plan: Plan, all_changes: bool) -> list[str]:
         ratios = remedy_rules.time_ratios(table)
         known = today is not None and math.isfinite(today.median)
         measured = [("not compared", ratios)] * known
-        shown = found.helpful if all_changes or not found.sufficient else found.sufficient
-        if any(remedy_rules.uses_server_of(c.remedy.protocol, table) for c in shown):
+        listed = found.helpful if all_changes or not found.sufficient else found.sufficient
+        if any(remedy_rules.uses_server_of(c.remedy.protocol, table) for c in listed):
             own = remedy_rules.time_ratios(table, with_server=True)
             measured.append(("server not compared", own))
         sure += {fill("air" if r["measured"] else key, **r): 0 for key, r in measured}

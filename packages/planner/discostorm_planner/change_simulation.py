@@ -213,13 +213,15 @@ def simulate_changes(
     *,
     staggered: Sequence[Remedy] = (),
     progress: Progress | None = None,
+    report: Callable[[DiscoveryResult], object] | None = None,
     interruptible: bool = False,
 ) -> DiscoveryResult:
     """Simulate a fleet as it is, and the changes that the closed form ranks first.
 
     If no single change suffices, the best are simulated again with a staggered start (from
     ``staggered``); if none of these does, combinations. Equal arguments give equal results. If
-    ``interruptible``, an interrupt ends the simulation with the results so far.
+    ``interruptible``, an interrupt ends the simulation with the results so far. ``report`` gets the
+    answer without changes, as soon as the unchanged fleet is simulated.
     """
     job = prepare_job(setting, max(within, WITHIN_S))
     singles = [_prepare_change(setting, r, remedies, within) for r in _pick_remedies(remedies)]
@@ -232,6 +234,8 @@ def simulate_changes(
             work.add(0.0)
             ((_, today),) = simulate_jobs([job], work)
             answer = _add_unchanged_time(answer, setting.protocol, today)
+            if report:
+                report(answer)
         changes.extend(_simulate_prepared(singles, work))  # an interrupt leaves those that are done
         answer = replace(answer, changes=tuple(changes))
         kept = [r for r in staggered if MIDDLEWARE_EFFORTS.isdisjoint(r.efforts)]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -148,13 +148,28 @@ class Plan:
             return None
 
     def simulate(
-        self, progress: Progress | None = None, *, interruptible: bool = False
+        self,
+        progress: Progress | None = None,
+        tell: Callable[[str], object] | None = None,
+        *,
+        interruptible: bool = False,
     ) -> DiscoveryResult:
-        """Simulate `discovery`; call ``progress`` with the finished and the total work [s]."""
+        """Simulate `discovery`; call ``progress`` with the finished and the total work [s].
+
+        ``tell`` gets the verdict on the unchanged fleet, before its changes are simulated.
+        """
+
+        def report(found: DiscoveryResult) -> None:
+            unchanged = replace(self)
+            vars(unchanged)["discovery"] = found
+            if tell:
+                tell(answer_text.verdict(unchanged))
+
         found = simulate_changes(
             *(self._setting, self.remedies, self.combinations, self.within),
             staggered=self.staggered,
             progress=progress,
+            report=report,
             interruptible=interruptible,
         )
         vars(self)["discovery"] = found

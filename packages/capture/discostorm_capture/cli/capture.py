@@ -134,9 +134,7 @@ def capture(
         products = sorted(set(captured.processes()["product"]) & set(ds.PROTOCOLS))
         if against is None and rows and products:
             options = " or ".join(f'--against "{name}"' for name in products)
-            click.echo(
-                f"The column 'expected' has the paper's count; {options} shows the product's."
-            )
+            click.echo(f"'expected' has the paper's count; {options} shows that of the product.")
         if written is not None:
             _print_next_command(written, link)
 

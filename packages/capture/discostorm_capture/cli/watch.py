@@ -186,9 +186,7 @@ def open_pcap(interface: str | None) -> Iterator[BinaryIO]:
                 running.kill()
                 text = running.communicate()[1].decode(errors="replace")
         if ended:
-            raise cli_output.BadInput(
-                cli_output.visible(_explain_failure(program, interface, text))
-            )
+            raise cli_output.BadInput(_explain_failure(program, interface, text))
 
 
 def _explain_failure(program: str, interface: str, text: str) -> str:
@@ -200,7 +198,8 @@ def _explain_failure(program: str, interface: str, text: str) -> str:
     known = PROGRAM_DATA["hints"].items()
     hints = [hint for words, hint in known if re.search(words, text, re.IGNORECASE)]
     hint = "".join(hints[:1]).replace("PROGRAM", program)
-    return f"{program} cannot capture on {_checks.shorten_name(interface)}: {reason}{hint}"
+    name = _checks.shorten_name(interface)
+    return cli_output.visible(f"{program} cannot capture on {name}: {reason}{hint}")
 
 
 def _print_state(state: Watch) -> None:

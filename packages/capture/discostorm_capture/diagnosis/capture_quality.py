@@ -97,6 +97,7 @@ def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
     obs, lacking = evidence.obs, evidence.incomplete_pairs
     for pair in lacking:
         beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)
+        beats &= obs["multicast"] | obs.isin("receiver", obs.process_host[pair.observer])
         times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
         end = obs.first_last[1][[*pair.processes]].min()
         pause = float(np.diff(times).max(initial=0.0))

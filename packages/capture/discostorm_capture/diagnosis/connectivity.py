@@ -261,9 +261,9 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
     for index in np.flatnonzero(hears_none & unheard & several):
         text = f"{hosts[index]} announces itself, answers no other host, and none answers it"
         first = {host: obs.host_first_last[host][0] for host in hosts}
-        if first.pop(hosts[index]) - max(first.values()) >= LIMITS.timeout:
-            text += say("multicast stopped")
-        yield Finding("cut off", (hosts[index],), text + _describe_arp_replies(obs, hosts[index]))
+        stopped = first.pop(hosts[index]) - max(first.values()) >= LIMITS.timeout
+        text += f"{say('multicast stopped') * stopped}{_describe_arp_replies(obs, hosts[index])}"
+        yield Finding("multicast stopped" if stopped else "cut off", (hosts[index],), text)
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
         # Skip a host that misses only one other, if that one reaches no host.

@@ -127,15 +127,8 @@ class Diagnosis:
         former a message [s], infinite if never; the number of endpoints ``sent`` to it.
         """
         host, name = self._evidence.obs.process_host, self._evidence.obs.processes.index
-        rows = [
-            (
-                *host[[*pair.processes]],
-                *name[[*pair.processes]],
-                pair.first_contact,
-                pair.n_announced,
-            )
-            for pair in self._evidence.incomplete_pairs
-        ]
+        ends = [([*pair.processes], pair) for pair in self._evidence.incomplete_pairs]
+        rows = [(*host[of], *name[of], one.first_contact, one.n_announced) for of, one in ends]
         columns = ["of", "by", "of_process", "by_process", "heard_s", "sent"]
         return pd.DataFrame(rows, columns=columns)
 
@@ -152,9 +145,8 @@ class Diagnosis:
         _checks.integer("most", most, 1)
         rows, until = self._evidence.obs.messages, self._evidence.obs.end
         if np.isfinite(self.complete_at):
-            until = min(
-                until, max(LIMITS.min_timeline_time, LIMITS.timeline_factor * self.complete_at)
-            )
+            shown = LIMITS.timeline_factor * self.complete_at
+            until = min(until, max(LIMITS.min_timeline_time, shown))
             rows = rows[rows["time"] <= until]
         step, keys = 0.0, ["time", "sender", "receiver", "kind", "multicast", "ends"]
         groups = rows.groupby(keys, observed=True, sort=False)
@@ -162,10 +154,12 @@ class Diagnosis:
             step = 2 * step or MIN_STEP
             steps = (rows["time"] // step).rename("step")
             groups = rows.groupby([steps, "sender", "kind", "ends"], observed=True, sort=False)
-        table = groups.agg(
-            time_s=("time", "first"), messages=("bytes", "size"), bytes=("bytes", "sum")
-        )
-        table = table.reset_index().rename(columns={"sender": "host"})
+        sums = {
+            "time_s": ("time", "first"),
+            "messages": ("bytes", "size"),
+            "bytes": ("bytes", "sum"),
+        }
+        table = groups.agg(**sums).reset_index().rename(columns={"sender": "host"})
         for column in ("host", "kind", "receiver", "multicast"):
             table[column] = table[column].astype(object) if column in table else None
         table = table.sort_values("time_s", kind="stable").iloc[:most][TIMELINE_COLUMNS]
@@ -176,11 +170,13 @@ class Diagnosis:
     def summary(self) -> str:
         """Return an event, the state of discovery, its cause and remedy, and if more is wrong."""
         happened = [one for one in self.findings if one.role == "headline"]
-        limits = [one for one in self.findings if one.about == "capture"]
-        limits = [one for one in limits if not one.kind.startswith("clock")]
+        limits = [
+            one for one in self.findings if one.about == "capture" and "clock" not in one.kind
+        ]
         if self.complete is not None and len(self._hosts) > 1:
             limits = [one for one in limits if one.kind in UNDECIDED_KINDS]
         reported = [*self.wrong, *happened, *limits]
+        happened += [one for one in limits if one.kind == UNDECIDED_KINDS[-1]]
         headline = happened[0].summary if happened and not self.wrong else ""
         sentences = [to_sentence(headline), self._describe_state()]
         if reported:
@@ -220,6 +216,8 @@ class Diagnosis:
         time = self.complete_at
         when = f" within {time:.{1 if time >= 1 else 2}f} s" if time >= 0.01 else " within 10 ms"
         when = when if np.isfinite(time) else ""
+        if any(one.kind == UNDECIDED_KINDS[-1] for one in self.findings):
+            return f"Only pairs with {obs.vantage_host} discovered each other{when} ({count})."
         return f"Discovery is {state}: {count} discovered each other{when}{seen}."
 
     def to_dict(self) -> dict[str, Any]:
@@ -252,27 +250,28 @@ def diagnose(obs: Observations) -> Diagnosis:
     losses = [] if lost else list(traffic.frame_loss(evidence))
     if obs.recording.truncated_share > LIMITS.max_truncated_share:
         causes, losses = list(connectivity.different_domains(evidence)), []
-    if any(one.kind == "heavy loss" for one in losses):
+    if any(one.kind in ("heavy loss", "weak link") for one in losses):
         # Drop broken directions between two hosts: heavy loss can look like them.
         causes = [one for one in causes if one.kind != "one direction of pairs"]
-    causes = causes or list(unauthenticated_pairs(evidence))
+    causes = causes or list(unexplained_pairs(evidence, "not authenticated"))
     losses = losses or ([] if causes or lost else list(traffic.multicast_loss(evidence)))
     if not (causes or losses or limits):
-        causes = list(unexplained_incomplete_pairs(evidence))
+        causes = list(unexplained_pairs(evidence, "incomplete"))
     others = run_rules("other", evidence)
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
     findings = [*causes, *losses, *others]
-    findings.sort(key=lambda one: list(finding_kinds()).index(one.kind))
+    absent = {host for one in findings if one.kind.startswith("missing") for host in one.hosts}
+    findings.sort(key=lambda one: [*finding_kinds()].index(one.kind))
+    # First what is wrong with the missing hosts, such as a server that was not started there.
+    findings.sort(key=lambda one: one.kind.startswith("missing") or not {*one.hosts} & absent)
     wrong = [one for one in findings if one.about == "fleet"]
     limits += [one for one in findings if one.about == "capture"]
     limits += topics.unknown_qos(evidence)
-    happened = [one for one in events if one.about == "event"]
+    happened = [one for one in (*events, *others) if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
     announced = obs.time[obs.isin("kind", *STARTUP_KINDS) & ~obs["ends"]]
-    over = (
-        obs.recording.recorded_time - announced.max(initial=0.0) > LIMITS.min_quiet_time
-        and obs.end > 0
-    )
+    quiet = obs.recording.recorded_time - announced.max(initial=0.0)
+    over = obs.end > 0 and quiet > LIMITS.min_quiet_time
     return Diagnosis(
         findings=(*wrong, *happened, *limits),
         complete=_is_complete(evidence, bool(wrong), {one.kind for one in limits}),
@@ -300,23 +299,12 @@ def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | No
     return not lacking
 
 
-def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
-    """Yield incomplete pairs with DDS Security, for which there is no other cause."""
-    obs = evidence.obs
-    pairs = [pair.processes for pair in evidence.incomplete_pairs]
-    pairs = [pair for pair in pairs if {*pair} & obs.secured_processes]
-    ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
-    if pairs:
-        hosts = obs.hosts_of(process for pair in pairs for process in pair)
-        counts = len(pairs), len(evidence.expected_pairs)
-        yield Finding.of("not authenticated", hosts, *counts, [*ends])
-
-
-def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
-    """Yield incomplete pairs, for which there is no cause at all."""
+def unexplained_pairs(evidence: Evidence, kind: str) -> Iterator[Finding]:
+    """Yield incomplete pairs, those with DDS Security or all, for which there is no other cause."""
     obs, pairs = evidence.obs, evidence.incomplete_pairs
-    ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
+    if kind == "not authenticated":
+        pairs = [pair for pair in pairs if {*pair.processes} & obs.secured_processes]
+    ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair.processes))) for pair in pairs)
     if pairs:
-        hosts = obs.hosts_of(pair.observer for pair in pairs)
-        counts = len(pairs), len(evidence.expected_pairs)
-        yield Finding.of("incomplete", hosts, *counts, [*ends])
+        hosts = obs.hosts_of(process for pair in pairs for process in pair.processes)
+        yield Finding.of(kind, hosts, len(pairs), len(evidence.expected_pairs), [*ends])

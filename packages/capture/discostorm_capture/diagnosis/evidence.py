@@ -17,6 +17,8 @@ class Evidence:
 
     def __init__(self, obs: Observations) -> None:
         self.obs = obs
+        #: Share of the paper's channel that all messages take.
+        self.channel_use = float(obs["airtime_s"].sum() / max(obs.end, LIMITS.timeout))
         #: The processes that had announced their endpoints before the capture began.
         self.early_processes = _processes_before_capture(obs)
         #: Number of confirmed samples that the capture lacks, by sending and receiving host.

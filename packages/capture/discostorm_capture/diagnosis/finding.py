@@ -9,6 +9,7 @@ from typing import Any, Self
 
 from discostorm import wording
 from discostorm.data import read_data
+from discostorm_capture.endpoints import QOS_REMEDIES
 from discostorm_capture.sentences import join_names, say
 
 #: Thresholds of the rules by name, in the units of ``data/diagnosis/thresholds.csv``.
@@ -79,7 +80,9 @@ class Finding:
         """What to do about it, as text."""
         advice = remedies()[self.remedy]["what"] if self.remedy else ""
         advice = advice.replace("HOSTS", join_names(self.hosts) or "all hosts")
-        return advice.replace("RECORD", wording.TCPDUMP.format(file="discovery.pcap"))
+        own = [text for policy, text in QOS_REMEDIES.items() if f"({policy}_" in self.evidence]
+        advice = advice.replace("RECORD", wording.TCPDUMP.format(file="discovery.pcap"))
+        return " ".join([advice, *own])
 
     def to_dict(self) -> dict[str, Any]:
         """Return all fields as JSON can hold them."""

@@ -130,10 +130,8 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
     apart = {host: one for host, one in apart.items() if abs(one) >= LIMITS.min_clock_difference}
     if apart:  # without a majority, each clock may be the wrong one
         hosts = tuple(sorted(clocks if 2 * len(apart) >= len(clocks) else apart))
-        ways = {host: "behind" if one < 0 else "ahead of" for host, one in apart.items()}
-        said = [
-            f"{h}'s clock is {wording.duration(abs(apart[h]))} {ways[h]} the others" for h in ways
-        ]
+        ways = {host: "behind the" if one < 0 else "ahead of the" for host, one in apart.items()}
+        said = [f"{h}'s clock is {wording.duration(abs(apart[h]))} {ways[h]} others" for h in ways]
         yield Finding.of("clock differs", hosts, said)
 
 
@@ -144,11 +142,17 @@ def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
     there = {*obs.host_first_last, *arp, *obs.announced_addresses}
     requests: dict[str, dict[str, int]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
+        by_it = obs.network_events[obs.network_events["sender"].eq(asker)]
+        idle = asker not in obs.host_first_last and by_it["receiver"].eq(target).all()
+        often = len(times) >= LIMITS.min_requests and np.ptp(times) >= LIMITS.timeout
+        used = obs.subnet_neighbors(asker, obs.hosts_of(sorted(obs.servers)))
+        if idle and often and used and target not in there:
+            yield Finding.of("wrong server", (asker,), len(times), target, used)
         known = asker in obs.host_first_last or obs.messages.empty
         if known and target not in there and np.ptp(times) >= LIMITS.timeout:
             requests.setdefault(target, {})[asker] = len(times)
     for target, counts in requests.items():
-        kind, text = "server down" if obs.messages.empty else "absent", ", but no answer came"
+        kind, text = "server off" if obs.messages.empty else "absent", ", but no answer came"
         if target in obs.process_host and not obs.subnet_neighbors(target, counts):
             kind, text = "no route", f"{text}; others announced a process there"
             if near := obs.subnet_neighbors(target, sorted(obs.announced_addresses)):
@@ -187,14 +191,14 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
             text = f"the capture shows {len(seen)} of {expected} expected hosts"
             yield Finding("too few hosts", (), f"{text}{': ' + join_names(seen) if seen else ''}")
     elif absent := tuple(host for host in expected or () if host not in present):
-        others = {*obs.network_events["sender"].astype(str)}
-        silent = [host for host in absent if host in others]
+        silent = [host for host in absent if obs.network_events["sender"].eq(host).any()]
         text = f"{join_names(absent)} announced nothing; {len(expected or ())} hosts are expected"
         if silent:
             text += f"; {join_names(silent)} sent other packets, so the host is on the network"
         if asks := [f"{by} asked for {of}" for by, of in obs.unanswered_arp if by in silent]:
             text += f"; {join_names(asks)} by ARP, and got no answer"
-        yield Finding("missing", absent, text)
+        kind = "missing" if len(silent) < len(absent) else "missing, but on"
+        yield Finding("missing, wrong address" if asks else kind, absent, text)
 
 
 def _format_mac(number: int) -> str:

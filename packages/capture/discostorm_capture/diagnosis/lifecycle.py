@@ -44,7 +44,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
         if in_turn and many and gaps.max() <= LIMITS.max_gap_ratio * np.median(gaps):
             again.pop(host, None)
             text = say("said goodbye often", host, len(ended), np.median(gaps))
-            yield Finding("crash loop", (host,), text)
+            yield Finding("command loop", (host,), text)
     if again:  # one finding, because the whole fleet may have been restarted
         yield Finding("restart", tuple(again), "; ".join(again.values()))
 
@@ -77,6 +77,7 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
     obs, last = evidence.obs, evidence.obs.first_last[1]
     # A server that others call in vain is reported as down instead.
     called = {row[2] for row in obs.event_tuples("refused", "unanswered")}
+    vanished = {row[2]: row[4] for row in obs.event_tuples("vanished")}
     for end in ("silent", "left"):
         ends = np.flatnonzero(evidence.endings == end).tolist()
         for host, processes in obs.processes_by_host(ends).items():
@@ -88,7 +89,12 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
                 text = say("crash", host, when, obs.recording.recorded_time)
                 endless = np.isinf(obs.processes["lease"].to_numpy()[dead]).any()
-                yield Finding("endless lease" if endless else "crash", (host,), text)
+                since = when - LIMITS.late_delivery
+                # The system of a process that crashes closes its connections.
+                ends = obs["ends"] & obs.isin("sender", host) & (obs.time >= since)
+                gone = vanished.get(host, 0.0) > since and not ends.any()
+                kind = "endless lease" if endless else "crash"
+                yield Finding("out of range" if gone else kind, (host,), text)
 
 
 def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:

@@ -68,11 +68,9 @@ def service_problems(evidence: Evidence) -> Iterator[Finding]:
         known = rows["product"].isin(["Fast DDS", "Cyclone DDS"])
         foreign = rows[client & known & ~rows["product"].isin(rows["product"][~client])]
         if len(foreign) and known[~client].any():
-            own, other = (rows["product"][one].unique() for one in (~client, foreign.index))
+            own, its = (rows["product"][one].unique() for one in (~client, foreign.index))
             callers = foreign["host"].unique()
-            yield Finding.of(
-                "services differ", (*hosts, *callers), name, hosts, own, callers, other
-            )
+            yield Finding.of("services differ", (*hosts, *callers), name, hosts, own, callers, its)
 
 
 def different_distributions(evidence: Evidence) -> Iterator[Finding]:
@@ -177,7 +175,9 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
         for writer, reader in product(writers, readers):
             at, kind, text = [join_names([*ends[of]]) for of in (writer, reader)], "QoS differs", ""
             if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
-                kind, text = "types differ", _type_difference(writer, reader, *at)
+                text = _type_difference(writer, reader, *at)
+                named = is_rtps and writer.type == reader.type  # DDS matches types by name
+                kind = "definitions differ" if named else "types differ"
             elif {writer.transport, reader.transport} == {"UDP", "TCP"}:
                 kind = "transports differ"
                 text = say("transports", at[0], writer.transport, at[1], reader.transport)

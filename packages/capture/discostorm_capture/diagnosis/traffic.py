@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator
 from itertools import chain
+from typing import Any
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from discostorm_capture.zenoh_messages import ZENOH_PORT
 #: share of heavy loss [1]. Healthy runs of the lab lost at most 1 sample and 2 segments; runs with
 #: 5 % loss stayed below the heavy shares.
 SAMPLE_LOSS, SEGMENT_LOSS = (2, 0.001, 0.016), (3, 0.015, 0.13)
+ENDS = ("sender", "receiver")
 FLOOD_KINDS = (SEDP, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
 #: Names of ROS 2 software other than DDS and Zenoh, by UDP port.
 _SERVICES = read_data("vendors/service_ports.csv", "discostorm_capture")
@@ -30,19 +32,21 @@ SERVICE_PORTS = {int(row["port"]): f"{row['port']} ({row['what']})" for row in _
 TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
 
 
-def find_losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
+def find_losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Any, Any, Array]:
     """Return the lost and the total number of frames, first for samples, then for segments.
 
-    Then return the number of lost frames by sending or receiving host, and their times [s]. A
-    sample counts as lost if an active receiver requests it after having had time to process it.
+    Then return the numbers of lost and of all frames by sending or receiving host, and the times of
+    the lost ones [s]. A sample counts as lost if an active receiver requests it after having had
+    time to process it.
     """
-    obs, lost, sent, ends = evidence.obs, list[int](), 0, Counter[str]()
+    obs, lost, sent, ends, total = evidence.obs, list[int](), 0, Counter[str](), Counter[str]()
     frame = obs["frame"]
     for subject, observer, rows, asks in evidence.answered_samples:
-        sent += len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
+        count = len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
         frames = lost_sample_frames(evidence, subject, observer, rows, asks)
-        lost += frames
+        sent, lost = sent + count, [*lost, *frames]
         ends.update(dict.fromkeys(obs.hosts_of((subject, observer)), len(frames)))
+        total.update(dict.fromkeys(obs.hosts_of((subject, observer)), count))
     hosts = [obs.indices_among(end, [*obs.host_first_last]) for end in ("sender", "receiver")]
     first, last = np.array([*obs.host_first_last.values(), (0.0, np.inf)]).T
     # Leave out segments from or to a host that has ended: it acknowledges nothing.
@@ -51,8 +55,9 @@ def find_losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], C
     again = obs.messages[tcp & obs.isin("kind", "TCP retransmission")]
     when = np.append(obs.time[np.isin(frame, lost)], again["time"])
     ends.update(chain(again["sender"].astype(str), again["receiver"].astype(str)))
-    segments = len(np.unique(frame[tcp & ~obs.isin("protocol", "TCP")]))
-    return (len(lost), sent), (len(again), segments + len(again)), ends, when
+    each = obs.messages[tcp & ~obs.isin("protocol", "TCP")].drop_duplicates("frame")
+    total.update(chain(*(rows[end].astype(str) for rows in (each, again) for end in ENDS)))
+    return (len(lost), sent), (len(again), len(each) + len(again)), ends, total, when
 
 
 def lost_sample_frames(
@@ -95,7 +100,7 @@ def _max_read_delay(time: Array, startup: float) -> Array:
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     """Report that frames are lost, and an estimate of their share."""
-    *both, ends, when = find_losses(evidence)
+    *both, ends, total, when = find_losses(evidence)
     limits = zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True)
     counts = [(*count, *limit) for count, limit in limits if count[0] >= limit[0]]
     if not any(_wilson_ci(lost, sent)[0] >= some for lost, sent, _, some, _ in counts):
@@ -107,6 +112,13 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     ((host, most),) = ends.most_common(1)
     if len(ends) > 2 and most >= LIMITS.min_share_of_one_host * again:
         text += f"; {wording.percent(most / again)} of the repeated ones were from or to {host}"
+        # A server, or the host that recorded, has a part in all frames; an outage loses few.
+        apart = total[host] < LIMITS.min_share_of_one_host * sent and most >= LIMITS.min_repeats
+        own, full = most / total[host], evidence.channel_use >= LIMITS.max_channel_use
+        if apart and own >= LIMITS.min_weak_share and not full:
+            text += f", about {wording.percent(own)} of its {total[host]:,} frames"
+            yield Finding("weak link", (host,), text)
+            return
     yield Finding("heavy loss" if heavy else "loss", (), text)
 
 
@@ -258,6 +270,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
 def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
     """Yield Zenoh routers that refuse connections or do not answer."""
     peers = {*obs.process_host} - {*obs.process_host[obs.is_server]}
+    arp = obs.event_tuples("ARP request", "ARP reply")
     calls = obs.event_tuples("connection", "refused", "unanswered", "unreachable")
     taken = {(host, port): time for kind, _, host, port, time in calls if kind == "connection"}
     tries = Counter(row[1:4] for row in calls if row[0] == "connection")
@@ -317,7 +330,14 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             text = f"connections to port {ZENOH_PORT} by {by} failed ({text})"
             if (host, port) in taken:
                 text += f"; the last one was accepted after {taken[host, port]:.1f} s"
-            yield Finding("server down", (host,), f"at {host}, {text}")
+            last = max([time for _, of, *_, time in arp if of == host], default=-np.inf)
+            last = max(last, obs.host_first_last.get(host, (0.0, last))[1])
+            asked, kind = [row for row in arp if row[2] == host and row[4] > last], "server down"
+            if {*kinds} == {"unanswered"} and last >= min(times) - LIMITS.max_transit:
+                kind = "server firewall"  # it answered ARP just before the first call, or later
+            elif {*kinds} == {"unanswered"} and len(asked) >= LIMITS.min_unanswered:
+                kind = "server off"
+            yield Finding(kind, (host,), f"at {host}, {text}")
 
 
 def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
@@ -400,6 +420,52 @@ def repeated_multicast(evidence: Evidence) -> Iterator[Finding]:
         again = int((asks & obs.isin("receiver", host)).sum())
         if again >= max(LIMITS.min_messages, LIMITS.min_repaired_share * to_all):
             yield Finding.of("data by multicast", (host,), to_all, again)
+
+
+def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the host with the largest stream, if samples by multicast or unicast fill a channel."""
+    obs, ends, sender = evidence.obs, evidence.endpoints, evidence.obs.messages["sender"].cat
+    seconds = obs["airtime_s"] * obs["user"] * ~obs.isin("submessage", "ACKNACK")
+    lossy = {one.hosts for one in repeated_multicast(evidence)}
+    limits = {"stream by multicast": LIMITS.max_multicast_use, "much data": LIMITS.max_channel_use}
+    for (kind, limit), cast in zip(limits.items(), (True, False), strict=True):
+        rows = (seconds > 0) & (obs["multicast"] == cast)
+        if seconds[rows].sum() < limit * max(obs.end, LIMITS.timeout):
+            continue
+        flows = obs.rows_by(rows, sender.codes.to_numpy(), obs.sender_index, obs["writer"])
+        largest, key = max((seconds[of].sum(), key) for key, of in flows.items())
+        topics = ends["topic"][ends["index"].eq(key[1]) & ends["entity"].eq(key[2])].map(ros_topic)
+        shares = [wording.percent(one / obs.end) for one in (largest, seconds[rows].sum())]
+        host = str(sender.categories[key[0]])
+        lasts = len(np.unique(obs.time[flows[key]].astype(np.int64)))
+        if lasts >= LIMITS.min_stream_seconds and (host,) not in lossy:
+            yield Finding.of(kind, (host,), "".join(topics[:1]) or "its data", *shares)
+
+
+def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that pause again and again, but then confirm at once all that they were sent."""
+    obs, times = evidence.obs, evidence.min_answer_times.items()
+    acks, lacks = obs.isin("submessage", "ACKNACK"), obs["missing"] > 0
+    beats = obs.isin("submessage", "HEARTBEAT") & ~obs["multicast"]
+    for host in sorted({to for (_, to), time in times if time < LIMITS.max_read_delay}):
+        own = obs.isin("sender", host)
+        sent = np.unique(obs.time[own])
+        long = np.flatnonzero(np.diff(sent) > LIMITS.max_transit)
+        pause = sent[long], sent[long + 1]
+        after = pause[1], pause[1] + LIMITS.max_burst_pause
+        to_it, good, bad = (
+            beats & obs.isin("receiver", host),
+            own & acks & ~lacks,
+            own & acks & lacks,
+        )
+        spans = (to_it, pause), (good, after), (bad, after)
+        asked, good, bad = (
+            np.diff(np.searchsorted(obs.time[of], at), axis=0)[0] for of, at in spans
+        )
+        late = (asked >= LIMITS.min_unanswered) & (good > 0) & (bad == 0)
+        if late.sum() >= LIMITS.min_calls:
+            longest = np.subtract(*pause[::-1])[late].max()
+            yield Finding.of("pauses", (host,), late.sum(), longest, asked[late].sum())
 
 
 def fragment_loss(evidence: Evidence) -> Iterator[Finding]:

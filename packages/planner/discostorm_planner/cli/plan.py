@@ -6,7 +6,7 @@ import math
 import shutil
 import sys
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -136,8 +136,8 @@ def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
 
 
 @contextmanager
-def _progress_bar(busy: str) -> Iterator[Progress]:
-    """Print on standard error what takes long and, on a terminal, a progress bar."""
+def _progress_bar(busy: str) -> Iterator[tuple[Progress, Callable[[str], None]]]:
+    """Print what takes long, and a bar on a terminal; yield what shows progress, and what tells."""
     given, live = click.get_current_context().params, is_live_terminal()
     plain = not (given["as_json"] or given["as_csv"])
     with ExitStack() as shown:
@@ -152,7 +152,11 @@ def _progress_bar(busy: str) -> Iterator[Progress]:
             if bars:
                 bars[0].update(max(0, int(100 * done) - bars[0].pos))
 
-        yield show
+        def tell(known: str) -> None:
+            if bars:
+                click.echo("\r\033[K" * live + f"So far: {known}", err=True)
+
+        yield show, tell
 
 
 def _simulate_plan(answer: ds.Plan) -> None:
@@ -163,8 +167,8 @@ def _simulate_plan(answer: ds.Plan) -> None:
     busy = "Periodic traffic alone fills the channel."
     if math.isfinite(low):
         busy = f"Today's startup needs at least {wording.time_range(low, low)} of airtime."
-    with _progress_bar(f"{busy} Simulating it and its changes.") as show:
-        answer.simulate(show, interruptible=True)
+    with _progress_bar(f"{busy} Simulating it and its changes.") as (show, tell):
+        answer.simulate(show, tell, interruptible=True)
 
 
 def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
@@ -172,7 +176,7 @@ def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
     if (plans[0].all_wired or plans[0].fleet.hosts() == 1) and output.for_people:
         print_paragraph(wording.ALL_WIRED_NOTE if plans[0].all_wired else wording.LONE_HOST_NOTE)
         return
-    with _progress_bar(f"Simulating the startup with {len(plans)} protocols.") as show:
+    with _progress_bar(f"Simulating the startup with {len(plans)} protocols.") as (show, _):
         simulate_protocols(plans, show)
     plans = sorted(plans, key=lambda plan: plan.discovery.sort_key())
     if output.as_json:
