@@ -14,6 +14,11 @@ window.calculatorTest = {
     );
   },
 
+  /** Return the times of simulated changes, each with its name. */
+  changes() {
+    return [...document.querySelectorAll("#calc-tool li > data")].map((e) => [e.dataset.of, Number(e.value)]);
+  },
+
   /** Return the advice as the command prints it: titles, and numbered changes up to their effort. */
   advice() {
     return [...document.getElementById("calc-remedies").children].flatMap((e) =>

@@ -421,18 +421,37 @@
     const found = [];
     // One alone has nobody to find.
     if (swarm.N_H + swarm.N_H1 === 1) return found;
+    // Within how long robots then start one after the other [s]; 0 if periodic traffic fills the channel.
+    const windowOf = (name, air, fleet) => {
+      const [burst, steady] = ["burst", "ever"].map((window) => cost(name, air, fleet, window));
+      if (steady.full >= MODEL.limit) return 0;
+      const needed = Math.min(...["full", "single"].map((end) => F[MODEL.drain]({ B: burst[end], rho: steady[end] })));
+      return Math.max(1, Math.ceil(Math.min(needed, within / 2)));
+    };
+    const inTurnWords = (window) => `starting one after the other, at random times within ${DiscoveryTimes.seconds(window)}`;
+    const aboutOf = ({ of }, name) => of[MODEL.protocols[name].family] ?? of.None;
+    // The same change and a staggered start, if any is long enough: discostorm_planner.plan._with_staggered_start.
+    const joined = (change, way) => {
+      const { name, air, fleet, into, efforts } = change;
+      const window = efforts.includes("research") ? 0 : windowOf(name, air, fleet);
+      if (!window) return null;
+      const both = MODEL.remedies[`${way} and staggered start`];
+      const { steps } = both;
+      const start = (one) => ({ ...one, what: `${one.what} and ${inTurnWords(window)}` });
+      return { ...start(change), kind: "combination", steps, window, ...aboutOf(both, name), into: into && { ...into, of: (number) => start(into.of(number)) }, paste: pasted({ steps, name, air, window }) };
+    };
     const add = (kind, what, { name = middleware, from = middleware, air = channel, base = channel, fleet = swarm, nodes: left = nodes, note = "", way = kind, window = 0, into }) => {
       const [before, after] = [cost(from, base, swarm, "second").single, cost(name, air, fleet, "second").single];
       const saved = before ? 1 - after / before : 0;
-      const { of, steps } = MODEL.remedies[way];
+      const { steps } = MODEL.remedies[way];
       const fits = before >= MODEL.limit && after < MODEL.limit;
-      const about = of[MODEL.protocols[name].family] ?? of.None;
       // A table that a change makes has no group; if its product is today's, so is its release.
       const [made, today] = [MODEL.protocols[name], MODEL.protocols[middleware]];
       const same = made.product === today.product;
       const served = same && today.product && made.has_server && !today.has_server;
       const { caution, ratios } = served ? { caution: "", ratios: today.server_ratios } : made.group || !same ? made : today;
-      found.push({ kind, steps, what, note, name, caution, ratios, saved, fits, air, fleet, nodes: left, window, into, ...about, paste: pasted({ steps, name, air, window }) });
+      const change = { kind, steps, what, note, name, caution, ratios, saved, fits, air, fleet, nodes: left, window, into, ...aboutOf(MODEL.remedies[way], name), paste: pasted({ steps, name, air, window }) };
+      found.push({ ...change, place: found.length, inTurn: () => (window ? null : joined(change, way)) });
     };
     for (const kind of MODEL.fleets) {
       const change = FLEETS[kind](swarm, nodes);
@@ -440,12 +459,8 @@
     }
     for (const [kind, what, note, name, from, way] of tablesAfter(middleware, ros)) add(kind, what, { note, name, from, way });
     for (const { kind, what, note, base, wifi } of channel.remedies) add(kind, what, { note, base, air: wifi });
-    const [burst, steady] = ["burst", "ever"].map((window) => cost(middleware, channel, swarm, window));
-    if (steady.full < MODEL.limit) {
-      const needed = Math.min(...["full", "single"].map((end) => F[MODEL.drain]({ B: burst[end], rho: steady[end] })));
-      const window = Math.max(1, Math.ceil(Math.min(needed, within / 2)));
-      add("staggered start", `starting one after the other, at random times within ${DiscoveryTimes.seconds(window)}`, { window });
-    }
+    const window = windowOf(middleware, channel, swarm);
+    if (window) add("staggered start", inTurnWords(window), { window });
     // What makes it fit first, the easiest before all; then what saves most; in both parts the best case behind what is counted.
     return found.sort((a, b) => b.fits - a.fits || a.best_case - b.best_case || (a.fits ? a.effort - b.effort || a.steps.length - b.steps.length : 0) || b.saved - a.saved);
   }
@@ -482,6 +497,19 @@
     return [...starts, ...others.slice(0, MODEL.discovery.max_changes - starts.length)];
   }
 
+  /** Return the changes joined with a staggered start whose change alone comes closest to the target, those of another middleware or those of none: discostorm_planner.change_simulation._pick_closest. */
+  function closestInTurn(every, done, switches) {
+    const { max_combinations: most, other_middleware: others } = MODEL.discovery;
+    const key = ({ steps, name }) => [...steps, name].join();
+    const alone = new Map(done.filter(({ time }) => time).map((change) => [key(change), change]));
+    return every
+      .filter((change) => alone.has(key(change)) && change.efforts.some((effort) => others.includes(effort)) === switches)
+      .sort((one, other) => DiscoveryTimes.byRank(alone.get(key(one)), alone.get(key(other))) || one.place - other.place)
+      .map(({ inTurn }) => inTurn())
+      .filter(Boolean)
+      .slice(0, most);
+  }
+
   /** Return the settings after the changes that the reader applied, as far as there are such changes. */
   function withApplied(settings, kinds) {
     return kinds.reduce((now, kind) => {
@@ -496,8 +524,8 @@
   /** What to paste is for any, for a middleware, its product or family, or for a radio. */
   function pasted({ steps, name, air, window }) {
     const { family, product } = MODEL.protocols[name];
-    // What is switched to together with an configuration are no peers.
-    const peers = steps.length === 1 && `${family} peers`;
+    // What is switched to together with a configuration are no peers.
+    const peers = steps.filter((kind) => kind !== "staggered start").length === 1 && `${family} peers`;
     const named = (key) => [name, product, family, peers, "any"].includes(key) || air.name.startsWith(key);
     return steps
       .map((kind) => MODEL.pastes[kind])
@@ -509,7 +537,7 @@
     const all = NAMES.map((name) => answerOf(name, settings.channel, settings.swarm));
     const front = all.find((one) => one.name === settings.middleware) ?? answerOf(settings.middleware, settings.channel, settings.swarm);
     const peers = all.filter((one) => one !== front && one.protocol.group === front.protocol.group && !one.protocol.variant);
-    const planned = byCell(settings.swarm) ? { changes: [], turn: null } : plannedOf(settings, changesOf(settings));
+    const planned = byCell(settings.swarm) ? { changes: [], turn: null, closest: () => [] } : plannedOf(settings, changesOf(settings));
     return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], ...planned, reboot: rebootOf(front.name, settings.channel, settings.swarm) };
   }
 
@@ -518,7 +546,7 @@
     const turn = start === IN_TURN ? (every.find(({ window }) => window) ?? { what: "", window: 0 }) : null;
     // No window is long enough where periodic traffic alone fills the channel.
     const changes = secure || turn?.window === 0 ? [] : simulatedChanges(turn ? every.filter(({ window }) => !window) : every);
-    return { changes, turn };
+    return { changes, turn, closest: (done, switches) => (turn ? [] : closestInTurn(every, done, switches)) };
   }
 
   // ---- showing it ----
@@ -1265,9 +1293,9 @@
     const today = { name: settings.middleware, air: settings.channel, fleet, caution, ratios, reboots: start === REBOOT };
     const planned = (airtimeOf) => {
       if (byCell(fleet) && airtimeOf) Object.assign(answer, plannedOf(settings, changesByCell(settings, airtimeOf)));
-      const { changes, turn } = answer;
+      const { changes, turn, closest } = answer;
       const reason = turn?.window === 0 ? decapitalized(MODEL.sentences["periodic traffic fills"]) : "";
-      return { changes, window: turn?.window, reason };
+      return { changes, closest, window: turn?.window, reason };
     };
     waits = setTimeout(() => {
       simulation.simulate(today, planned, settings.within, (found, onlyPart) => {

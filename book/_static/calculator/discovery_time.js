@@ -2,8 +2,8 @@
 // discovery and answer_text have them. Sentences and limits come from the package (model.js).
 "use strict";
 
-const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS }) => {
-  const SPACE = "\u00a0"; // no line ends between a number and its unit
+const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
+  const { SPACE, longTime, seconds, share } = TimeWords;
   const ascending = (values) => [...Float64Array.from(values).sort()];
 
   function median(values) {
@@ -65,31 +65,38 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return say("perhaps", { slow: seconds(ratios.high * time.nineGood) });
   }
 
+  /** By the first part in which lists of numbers differ. */
+  const by = (key) => (one, other) => {
+    const [mine, theirs] = [key(one), key(other)];
+    const place = mine.findIndex((part, i) => part !== theirs[i]);
+    return place < 0 ? 0 : mine[place] < theirs[place] ? -1 : 1;
+  };
+
+  /** By the median; without one, the most completed pairs first: discostorm_planner.discovery_time.DiscoveryTime.rank. */
+  const rank = ({ time }) => [time.median, time.nine, -median(time.pairs.length ? time.pairs : [0])];
+  const byRank = by(rank);
+
   /** In the order of advice: what suffices first, by its effort. */
   function compare(within) {
-    const key = (change) => [
-      Number(change.time.median === Infinity) - Number(works(change.time, within)) - Number(suffices(change, within)),
-      Number(!isEasy(change)),
-      change.effort,
-      change.time.median,
-      change.time.nine,
-      -median(change.time.pairs.length ? change.time.pairs : [0]),
-    ];
-    return (one, other) => {
-      const [mine, theirs] = [key(one), key(other)];
-      const place = mine.findIndex((part, i) => part !== theirs[i]);
-      return place < 0 ? 0 : mine[place] < theirs[place] ? -1 : 1;
-    };
+    const level = (change) => Number(change.time.median === Infinity) - Number(works(change.time, within)) - Number(suffices(change, within));
+    return by((change) => [level(change), Number(!isEasy(change)), change.effort, ...rank(change)]);
   }
 
   /** Whether today's startup works, and nothing speaks against the simulation. */
   const surelyWorks = ({ today, within, caution, ratios }) => today !== null && suffices({ time: today, caution, ratios }, within);
 
+  /** Whether a combination does not suffice, and a part of it is just as good. */
+  function isNoBetterThanPart(change, changes, within) {
+    if (change.kind !== "combination" || suffices(change, within)) return false;
+    const isPart = ({ steps, time }) => time && steps.length < change.steps.length && steps.every((step) => change.steps.includes(step));
+    return changes.some((part) => isPart(part) && byRank(part, change) <= 0);
+  }
+
   /** The changes that shorten discovery by more than the runs scatter; where it is not sure to work, those with which it is. */
   const helpful = ({ today, changes, within, caution, ratios }) =>
     changes.filter((change) => {
       const { time } = change;
-      if (!time || time.isLowerBound) return false;
+      if (!time || time.isLowerBound || isNoBetterThanPart(change, changes, within)) return false;
       if (today ? isShorter(time, today) : time.median < Infinity) return true;
       return !surelyWorks({ today, within, caution, ratios }) && suffices(change, within);
     });
@@ -101,12 +108,12 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   const sufficient = (found) => helpful(found).filter((change) => suffices(change, found.within));
   const isEasily = (found) => (found.today !== null && works(found.today, found.within)) || sufficient(found).some(isEasy);
 
-  /** The first of all servers, of all routers, and of each other kind. */
+  /** The first of all servers, of all routers, and of each other kind; all combinations. */
   function ofDifferentKinds(changes) {
     const seen = new Set();
     return changes.filter(({ kind }) => {
       const like = ["discovery server", "router"].find((name) => kind.includes(name)) ?? kind;
-      return !seen.has(like) && seen.add(like);
+      return kind === "combination" || (!seen.has(like) && seen.add(like));
     });
   }
 
@@ -115,30 +122,6 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   /** The name of a protocol or channel as it reads within a sentence. */
   const inWords = (name) => SENTENCES[name] ?? name;
   const say = (key, values = {}) => SENTENCES[key].replace(/\{(\w+)\}/g, (whole, name) => values[name]);
-
-  /** A time to two or three digits, as discostorm.wording.duration has it. */
-  function longTime(time) {
-    if (time === 0 || time === Infinity) return time ? "indefinitely" : "no time";
-    const [, length, unit] = UNITS.findLast(([least]) => time >= least);
-    const value = time / length;
-    if (value >= 1e6) return `${value.toExponential(0)}${SPACE}${unit}`;
-    if (length < 1) return `${Number(value.toPrecision(3))}${SPACE}${unit}`;
-    if (length === 1) return `${value.toFixed(value < 10 ? 2 : 1)}${SPACE}${unit}`;
-    return `${value < 10 ? value.toFixed(1) : Number(value.toPrecision(3)).toLocaleString("en-US")}${SPACE}${unit}`;
-  }
-
-  /** A time to two digits; whole targets as they are. */
-  function seconds(time) {
-    if (time > 0 && time < 0.1) return `${Number((1000 * time).toPrecision(2))}${SPACE}ms`;
-    if (time < 0.1 || time >= 100) return longTime(time);
-    return `${Number.isInteger(time) ? time : Number(time.toPrecision(2))}${SPACE}s`;
-  }
-
-  function share(part) {
-    if (part >= 0.995 && part < 1) return "more than 99%";
-    if (part > 0 && part < 0.01) return "less than 1%";
-    return `${(100 * part).toFixed(0)}%`;
-  }
 
   /** A discovery time with its interval, or how far it got. */
   function timeWords(time) {
@@ -235,7 +218,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (few && !enough.length) blocks.push({ title: say("stopgap", few), rows: [] });
     if (!known.length) block(tried ? "none helps" : "none known", []);
     else if (fine || !enough.length) {
-      const rows = shown.filter(near);
+      const rows = shown.some(near) ? shown.filter(near) : known.filter(near).sort(byRank).slice(0, 1);
       const unsure = good || known.some(({ time }) => works(time, within));
       block(!rows.length ? "none near" : fine ? "faster" : unsure ? "not sure either" : "shorter", rows);
     } else {
@@ -257,7 +240,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return {
       blocks,
       more: known.filter((change) => !named.includes(change)),
-      possible: list("possible", possible),
+      possible: [...list("possible", possible), ...(tried && !fine && !enough.length ? [say("several at once")] : [])],
       rest: [
         ...list("others", timed.filter(({ time }) => !time.isLowerBound)),
         ...list("bounds", timed.filter((change) => change.time.isLowerBound && !possible.includes(change))),
@@ -293,5 +276,5 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return sure;
   }
 
-  return { ofRuns, isHopeless, suffices, doubt, surelyWorks, isEasily, late, verdict, advice, certainty, timeWords, whatWords, afterWords, seconds, longTime, inWords, say };
+  return { ofRuns, isHopeless, suffices, doubt, byRank, surelyWorks, sufficient, isEasily, late, verdict, advice, certainty, timeWords, whatWords, afterWords, seconds, longTime, inWords, say };
 })(DISCOSTORM);

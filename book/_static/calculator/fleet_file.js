@@ -1,4 +1,4 @@
-// The calculator's fleet as a file for `discostorm plan`, which gives the same answer.
+// The calculator's fleet as groups to simulate, and as a file for `discostorm plan`, which gives the same answer.
 "use strict";
 
 const FleetFile = (() => {
@@ -10,6 +10,21 @@ const FleetFile = (() => {
 
   /** Spread hosts evenly over cells: how many are in each. */
   const spread = (hosts, cells) => Array.from({ length: cells }, (_, cell) => Math.floor(hosts / cells) + Number(cell < hosts % cells));
+
+  const even = (number) => Math.round(number) - (Math.abs(number % 1) === 0.5 && Math.round(number) % 2 ? 1 : 0);
+  /** Processes that have so many endpoints together, each a whole number: discostorm.host_group.even_sizes. */
+  const evenSizes = ([processes, endpoints]) => Array.from({ length: processes }, (_, i) => Math.floor(endpoints / processes) + Number(i < endpoints % processes));
+
+  /** The groups of a fleet, with whole endpoints; robots are spread evenly over cells, others are in the first or wired. */
+  function groupsOf({ N_H, N_P, N_E, N_S, N_H1, N_P1, N_E1, N_S1, cells, sizes, wired }) {
+    const group = (hosts, processes, mean, shared, parts) => {
+      const endpoints = (parts ?? [[processes, even(processes * mean)]]).flatMap(evenSizes);
+      return { hosts, processes, endpoints, shared: Math.min(shared, ...endpoints), cell: 0 };
+    };
+    const robots = group(N_H, N_P, N_E, N_S, sizes);
+    const each = spread(N_H, cells).map((hosts, cell) => ({ ...robots, hosts, cell }));
+    return N_H1 ? [...each, { ...group(N_H1, N_P1, N_E1, N_S1), wired }] : each;
+  }
 
   /** Several access points in words, as discostorm_planner.multi_cell_plan has them. */
   function joined(cells) {
@@ -40,5 +55,5 @@ const FleetFile = (() => {
     return `discostorm plan fleet.toml --protocol '${middleware}'${channel}`;
   }
 
-  return { text, command, joined, names, spread, byCell };
+  return { text, command, joined, names, groupsOf, byCell };
 })();

@@ -34,22 +34,7 @@ const FleetSimulation = (RULES, folder) => {
 
   // ---- what is simulated ----
 
-  const even = (number) => Math.round(number) - (Math.abs(number % 1) === 0.5 && Math.round(number) % 2 ? 1 : 0);
-  /** Processes that have so many endpoints together, each a whole number: discostorm.host_group.even_sizes. */
-  const evenSizes = ([processes, endpoints]) => Array.from({ length: processes }, (_, i) => Math.floor(endpoints / processes) + Number(i < endpoints % processes));
-
-  /** The groups of a fleet, with whole endpoints; robots are spread evenly over cells, others are in the first or wired. */
-  function groupsOf({ N_H, N_P, N_E, N_S, N_H1, N_P1, N_E1, N_S1, cells, sizes, wired }) {
-    const group = (hosts, processes, mean, shared, parts) => {
-      const endpoints = (parts ?? [[processes, even(processes * mean)]]).flatMap(evenSizes);
-      return { hosts, processes, endpoints, shared: Math.min(shared, ...endpoints), cell: 0 };
-    };
-    const robots = group(N_H, N_P, N_E, N_S, sizes);
-    const spread = FleetFile.spread(N_H, cells).map((hosts, cell) => ({ ...robots, hosts, cell }));
-    return N_H1 ? [...spread, { ...group(N_H1, N_P1, N_E1, N_S1), wired }] : spread;
-  }
-
-  const fleetOf = (swarm) => ({ groups: groupsOf(swarm), matching: swarm.names === 2 ? 1 : 0 });
+  const fleetOf = (swarm) => ({ groups: FleetFile.groupsOf(swarm), matching: swarm.names === 2 ? 1 : 0 });
 
   /** How long a run is estimated to take [s], and how much memory [MB]: as discostorm_simulation.run has it. */
   function estimate({ fleet, table: name, radio, recovery, queue, until, within, start }, data) {
@@ -216,9 +201,10 @@ const FleetSimulation = (RULES, folder) => {
     return result && { ...Show.collected(shares), hosts, converged: result.converged, until: setting.until };
   }
 
-  /** Simulate today's fleet, then one that reboots if it does, then each change, then how much of one is enough; call
-   * `show` with what is known, as soon as there is more. `planned` says the window of starts [s] and the changes, or
-   * why there are none, from a function that tells the airtime of a fleet's cells. */
+  /** Simulate today's fleet, then one that reboots if it does, then each change, then the best of these with a staggered
+   * start if none suffices, then how much of one is enough; call `show` with what is known, as soon as there is more.
+   * `planned` says the window of starts [s], the changes, or why there are none, and which to join with a staggered
+   * start, from a function that tells the airtime of a fleet's cells. */
   async function simulate(today, planned, within, show) {
     const mine = ++asked;
     current?.stop();
@@ -229,26 +215,41 @@ const FleetSimulation = (RULES, folder) => {
       const airtimeOf = (name, fleet) => CellAirtime({ fleet: fleetOf(fleet), table: name }, data.tables);
       let job = jobOf(today, within, data);
       if (job.setting && FleetFile.byCell(today.fleet)) found.airtime = airtimeOf(today.name, today.fleet);
-      const { changes, window, reason: endless } = planned(job.reason ? null : airtimeOf);
+      const { changes, closest, window, reason: endless } = planned(job.reason ? null : airtimeOf);
       if (endless) job = { reason: endless };
       else if (window) job = jobOf({ ...today, window }, within, data);
-      found.left = [...changes];
       const ofChange = (change) => jobOf({ ...change, window: change.window || window }, within, data);
-      const jobs = changes.map((change) => [change, ofChange(change)]);
-      let room = RULES.max_work;
-      for (const own of jobs.map(([, job]) => job).filter(({ reason }) => !reason).sort((one, other) => one.first - other.first)) {
-        room -= own.first;
-        if (room < 0) Object.assign(own, { reason: RULES.too_large });
-      }
-      const all = [job, ...jobs.map(([, own]) => own)].filter(({ reason }) => !reason);
-      const total = all.reduce((sum, { work }) => sum + work, 0);
-      let done = 0;
+      let [total, done] = [job.work ?? 0, 0];
+      /** Changes with their runs, as far as there is time for these. */
+      const prepared = (some) => {
+        const jobs = some.map((change) => [change, ofChange(change)]);
+        let room = RULES.max_work;
+        for (const own of jobs.map(([, job]) => job).filter(({ reason }) => !reason).sort((one, other) => one.first - other.first)) {
+          room -= own.first;
+          if (room < 0) Object.assign(own, { reason: RULES.too_large });
+          else total += own.work;
+        }
+        found.left = [...some];
+        return jobs;
+      };
       const run = async (own) => {
         if (own.reason) return own;
         const answer = await timeOf(own, mine, (part) => show({ ...found, part: (done + part * own.work) / total }, true));
         done += own.work;
         return answer;
       };
+      /** Simulate changes one after the other; whether the entries are still the same. */
+      const runAll = async (jobs) => {
+        for (const [change, own] of jobs) {
+          show({ ...found, part: total ? done / total : 1 });
+          const answer = await run(own);
+          if (!answer || mine !== asked) return false;
+          found.left.shift();
+          found.changes = [...found.changes, { ...change, time: answer.time, reason: answer.reason ?? "" }];
+        }
+        return true;
+      };
+      const singles = prepared(changes);
       const first = await run(job);
       if (!first || mine !== asked) return;
       const again = today.reboots && first.time && lateJob(job, first.time, data);
@@ -260,17 +261,16 @@ const FleetSimulation = (RULES, folder) => {
         if (mine !== asked) return;
         Object.assign(found, { sent });
       }
-      for (const [change, own] of jobs) {
-        show({ ...found, part: total ? done / total : 1 });
-        const answer = await run(own);
-        if (!answer || mine !== asked) return;
-        found.left.shift();
-        found.changes = [...found.changes, { ...change, time: answer.time, reason: answer.reason ?? "" }];
+      const answered = () => ({ ...found, within, caution: today.caution, ratios: today.ratios });
+      const works = () => DiscoveryTimes.surelyWorks(answered());
+      if (!(await runAll(singles))) return;
+      for (const switches of [false, true]) {
+        if (works() || DiscoveryTimes.sufficient(answered()).length) break;
+        if (!(await runAll(prepared(closest(found.changes, switches))))) return;
       }
       show({ ...found, part: null });
-      const { caution, ratios } = today;
       const onlyPart = () => show({ ...found, part: null }, true);
-      if (!DiscoveryTimes.surelyWorks({ ...found, within, caution, ratios })) {
+      if (!works()) {
         for (const change of found.changes) {
           if (!change.into || !change.time || !DiscoveryTimes.suffices(change, within)) continue;
           const suffices = (time) => DiscoveryTimes.suffices({ ...change, time }, within);
@@ -280,7 +280,7 @@ const FleetSimulation = (RULES, folder) => {
           if (enough) change.enough = { what: of(enough.count).what, time: enough.time };
         }
       }
-      if (found.today && !DiscoveryTimes.isEasily({ ...found, within, caution, ratios })) {
+      if (found.today && !DiscoveryTimes.isEasily(answered())) {
         found.fewer = await fewerHosts(job, today, within, data, mine, onlyPart);
         if (mine !== asked) return;
       }

@@ -166,7 +166,7 @@ def _change_blocks(plan: Plan, count: int, all_changes: bool) -> Iterator[list[s
     shorter = fill("not sure either" if unsure else "shorter", within=within)
     best = list(found.sufficient) if enough and not found.surely_works else listed
     shown = best if all_changes else list(_first_of_each_kind(best))[:count]
-    far = [c for c in listed if c.time and median(c.time.pairs_done or (1.0,)) < MIN_PAIRS]
+    near = [c for c in listed if c.time and median(c.time.pairs_done or (1.0,)) >= MIN_PAIRS]
     overloaded = plan.data is not None and plan.data.with_periodic.verdict == "does not fit"
     fewer = "" if overloaded else _hosts_in_time_text(plan)
     if fewer and not enough:
@@ -178,9 +178,10 @@ def _change_blocks(plan: Plan, count: int, all_changes: bool) -> Iterator[list[s
         return  # a faster discovery makes no room for data
     elif found.surely_works or not enough:
         title = fill("faster") if found.surely_works else shorter
-        near = [change for change in shown if all_changes or change not in far]
+        nearest = sorted(near, key=lambda change: change.sort_key(plan.within)[-1])[:1]
+        named = [change for change in shown if all_changes or change in near] or nearest
         until = _time_text(max(plan.within, WITHIN_S))
-        yield [title, *_change_lines(plan, near, 1)] if near else [fill("none near", until=until)]
+        yield [title, *_change_lines(plan, named, 1)] if named else [fill("none near", until=until)]
     else:
         first = len(shown) if found.works else 1
         title = "covered" if found.works else "changes" if overloaded else "first"
@@ -189,7 +190,7 @@ def _change_blocks(plan: Plan, count: int, all_changes: bool) -> Iterator[list[s
             yield [fill("until then", fewer=fewer)]
         easy = [c for c in listed if SOFTWARE_EFFORTS.isdisjoint(c.remedy.efforts)]
         no_need = all_changes or found.works or shown[0] in easy or shortest
-        easier = [] if no_need else [change for change in easy if change not in far][:1]
+        easier = [] if no_need else [change for change in easy if change in near][:1]
         if easier:
             works = any(c.time and c.time.works(plan.within) for c in easier)
             title = fill("easier, perhaps" if works else "easier", within=within)

@@ -41,9 +41,8 @@ def model_data() -> JsValue:
         for change in offered_changes.changes(table, ds.PAPER)
         if change.table or change.radio or change.fleet
     ]
-    ways = sorted({change.kinds for change in shown} | {("staggered start",)})
-    drain = formulas.name_of(drain_times.DRAIN_TIME, "drain")
-    largest = formulas.name_of(LARGEST_HOST_COUNT, "largest")
+    alone = [(), *(change.kinds for change in shown)]
+    ways = sorted({(*kinds, *late) for kinds in alone for late in ((), ("staggered start",))})[1:]
     return {
         "start": {
             "robot": inputs.DEFAULT_ROBOT,
@@ -82,9 +81,9 @@ def model_data() -> JsValue:
         "pastes": offered_changes.snippet_data(sorted({kind for steps in ways for kind in steps})),
         # Changes of the hosts for which calculator.js has a function.
         "fleets": list(dict.fromkeys(change.kind for change in shown if change.fleet)),
-        "largest": largest,
+        "largest": formulas.name_of(LARGEST_HOST_COUNT, "largest"),
         "saturation": [None, *full],
-        "drain": drain,
+        "drain": formulas.name_of(drain_times.DRAIN_TIME, "drain"),
         "formulas": {name: code for code, name in formulas.names.items()},
         # Columns of the message rows, in order.
         "columns": list(message_tables.message_row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),

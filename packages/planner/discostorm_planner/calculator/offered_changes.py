@@ -15,7 +15,7 @@ from discostorm.wifi.radio import aggregation_bounds
 from discostorm_planner.calculator.inputs import channel_data, release_tables
 from discostorm_planner.calculator.javascript import JsValue
 from discostorm_planner.changes import Change, Setting
-from discostorm_planner.plan import candidate_changes
+from discostorm_planner.plan import STAGGERED_START, candidate_changes
 from discostorm_planner.remedy_rules import describe_efforts, efforts, rule, rule_for
 
 #: A fleet to which every change of hosts applies: processes to compose, endpoints to remove.
@@ -124,7 +124,7 @@ def remedy_data(ways: Iterable[tuple[str, ...]]) -> JsValue:
 
     def about(steps: tuple[str, ...], family: str | None) -> JsValue:
         # Switching to a configuration uses the rule for any family; other families count peers.
-        switch = len(steps) > 1
+        switch = len({*steps} - {STAGGERED_START.kind}) > 1
         rules = [rule(kind, None if switch and kind == "middleware" else family) for kind in steps]
         rows = [row for row in rules if row is not None and row["effort"]]
         if len(rows) < len(steps):
