@@ -9,6 +9,7 @@ from discostorm.fleet import Fleet
 from discostorm.lookup import AnyProtocol
 from discostorm.wifi import PAPER
 from discostorm_planner.aggregation_range import combine
+from discostorm_planner.answer_text import phrase
 from discostorm_planner.plan import plan
 from discostorm_planner.result import Plan
 
@@ -41,7 +42,7 @@ def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None)
     )
     names: dict[str, list[str]] = {}
     for cell, one in seen.items():
-        names.setdefault(one.wifi.name, []).append(cell.name)
+        names.setdefault(phrase(one.wifi.name), []).append(cell.name)
     told = [f"{wifi} at {wording.join_words(own)}" for wifi, own in names.items()]
     return replace(
         busiest,

@@ -1,4 +1,4 @@
-"""Findings about hosts: duplicate addresses and ids, different protocols, missing hosts."""
+"""Findings about hosts: duplicate addresses and ids, different protocols, missing or dozing hosts."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -9,6 +9,7 @@ from statistics import median_high
 import numpy as np
 
 from discostorm import _checks, wording
+from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import ExpectedHosts
@@ -203,3 +204,29 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
 
 def _format_mac(number: int) -> str:
     return ":".join(f"{octet:02x}" for octet in int(number).to_bytes(6, "big"))
+
+
+def power_saving(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that confirm samples in evenly spaced bursts, although writers ask more often."""
+    obs, confirmed = evidence.obs, dict[str, list[float]]()
+    for _, observer, rows, asks in evidence.answered_samples:
+        if len(rows):
+            news = asks[np.diff(np.maximum.accumulate(obs.seq[asks]), prepend=1) > 0]
+            confirmed.setdefault(obs.process_host[observer], []).extend(obs.time[news].tolist())
+    beats = obs.isin("submessage", "HEARTBEAT") & ~obs["multicast"]
+    for host, times in confirmed.items():
+        bursts = _burst_times(np.array(times))
+        gaps = np.diff(bursts)
+        if len(gaps) < LIMITS.min_bursts or (period := float(np.median(gaps))) < LIMITS.min_sleep:
+            continue
+        steady = (np.abs(gaps - period) < 0.1 * period).mean() >= LIMITS.min_steady_share
+        asked = obs.time[beats & obs.isin("receiver", host)]
+        asked = _burst_times(asked[(asked >= bursts[0]) & (asked <= bursts[-1])])
+        if steady and len(asked) > 2 * len(bursts):
+            yield Finding.of("power saving", (host,), len(bursts), period, len(asked))
+
+
+def _burst_times(times: Array) -> Array:
+    """Return the first time of each burst [s]."""
+    times = np.unique(times)
+    return np.asarray(times[np.diff(times, prepend=-np.inf) > LIMITS.max_burst_pause])
