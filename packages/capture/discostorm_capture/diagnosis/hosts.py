@@ -1,4 +1,4 @@
-"""Findings about hosts: duplicate addresses and ids, different protocols, missing or dozing hosts."""
+"""Findings about hosts: duplicate addresses and ids, different protocols, hosts that lack or doze."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
