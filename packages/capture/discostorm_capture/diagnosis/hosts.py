@@ -1,4 +1,4 @@
-"""Findings about hosts: duplicate addresses and ids, different protocols, hosts that lack or doze."""
+"""Findings about hosts: duplicate addresses and ids, protocols, missing and dozing hosts."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
