@@ -134,7 +134,7 @@ class Presence:
                 text = say("silent", host, now - activity.last, activity.longest_pause)
                 findings.append(Finding("silent", (host,), text))
                 activity.is_silent, change = True, (now, f"{host} fell silent: {text}")
-            elif any(
+            elif now - activity.last <= activity.longest_pause and any(
                 one.last == last and now - last > one.silence_limit < 2 * (one.asked_at - last)
                 for one in answers
             ):
@@ -156,4 +156,7 @@ class Presence:
         since = self.now - LIMITS.recent
         again = [host for host, activity in there.items() if activity.rerequested_at >= since]
         also = f"{join_names(again)} requested messages again" if again else "none requests again"
-        return f"{text}, no host is silent, and {also}."
+        # Of a host that was heard too briefly, no one knows how often it sends.
+        rare = [of for of, one in there.items() if one.silence_limit > self.now - one.last > first]
+        now = f"nothing came lately from {join_names(rare)}" if rare else "no host is silent"
+        return f"{text}, {now}, and {also}."

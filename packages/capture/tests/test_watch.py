@@ -23,6 +23,7 @@ from discostorm.cli import main
 from discostorm_capture import CaptureError, read_capture
 from discostorm_capture.diagnosis.finding import LIMITS
 from discostorm_capture.live_capture import PacketStream, Watch
+from discostorm_capture.presence import Activity, Presence
 
 ILLS = REFERENCE / "captures" / "ills"
 FAST = lzma.decompress((CAPTURES / "fast_dds.pcap.xz").read_bytes())
@@ -128,6 +129,23 @@ def test_beside_running_robots_it_learns_who_speaks_and_names_who_stops() -> Non
     _, text, kinds, _ = seconds[-1]
     assert "answers no more" in kinds
     assert text.startswith("10.77.0.3 still sends, but no longer answers any host")
+
+
+def test_a_host_heard_too_briefly_to_be_judged_is_named_and_not_called_present() -> None:
+    """It announces itself every 8 s, and stopped 8 s after the capture began."""
+    hosts = {"10.77.0.1": Activity(0.0, 29.5), "10.77.0.3": Activity(0.2, 8.2, longest_pause=8.0)}
+    presence = Presence(hosts, now=30.0)
+    assert presence.findings() == []
+    told = "2 hosts, nothing came lately from 10.77.0.3, and none requests again."
+    assert presence.summary(0.0).endswith(told)
+
+
+def test_a_host_that_just_fell_silent_is_not_said_to_send_still() -> None:
+    asked = Activity(0.0, 28.5, longest_pause=0.5, asked_at=29.9)
+    presence = Presence({"10.77.0.3": Activity(0.0, 28.8)}, {("10.77.0.3", "10.77.0.1"): asked})
+    for last, kinds in ((28.8, []), (29.8, ["answers no more"])):
+        presence.hosts["10.77.0.3"].last, presence.now = last, 30.0
+        assert [one.kind for one in presence.findings()] == kinds
 
 
 def listened(content: bytes) -> list[tuple[float, list[str]]]:
