@@ -135,7 +135,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
     const least = high.endsWith(SPACE + unit) ? number : low;
     if (low !== high) text += time.interval[1] === Infinity ? ` (${low} or more)` : ` (${least} to ${high})`;
     if (time.isLowerBound) return `at least ${text}, with ${share(time.lost)} of the messages lost`;
-    return time.repaired ? text : `${text}, with nothing lost that needs repair`;
+    return time.repaired ? text : `${text}, as nothing was lost`;
   }
 
   /** The runs that `nine` counts: all, if there are fewer than ten. */
