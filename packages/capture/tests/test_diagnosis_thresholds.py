@@ -315,24 +315,21 @@ def test_a_process_that_deletes_none_of_its_many_endpoints_is_named() -> None:
     assert "publishers and subscriptions once, and keep them" in kept.wrong[0].advice
 
 
-def with_locator(time: float, host: int, address: bytes) -> Packet:
-    """Return an announcement with the address of host 3, sent from this address."""
-    locator = struct.pack("<HHiI", 0x32, 24, 1, 7411) + bytes(12) + address
-    body = bytes(2) + struct.pack("<HIIiI", 16, SPDP + 5, SPDP, 0, 1) + b"\0\x03\0\0"
-    ids = struct.pack(">II", SPDP + 5, SPDP)
-    body = body[:4] + ids + body[12:] + locator + struct.pack("<HH", 1, 0)
-    when, frame, length = dds(time, host, submessage(0x15, body, flags=4))
-    return when, frame[:26] + address + frame[30:], length
-
-
 def test_a_host_that_announces_the_address_of_another_interface_is_named() -> None:
     elsewhere, here = bytes([192, 168, 123, 3]), bytes([10, 0, 0, 3])
     found = [*startup(0.0, 1, 2), *regularly(1, 20), *regularly(2, 20)]
-    found += [with_locator(float(time), 3, elsewhere) for time in range(0, 20, 2)]
+    found += [
+        (time, frame[:26] + elsewhere + frame[30:], length)
+        for time, frame, length in regularly(3, 20)
+    ]
     for time, address in ((0.1, elsewhere), (0.2, here)):
         ends = bytes([2, 0, 0, 0, 0, 3]) + address + bytes(6) + bytes([10, 0, 0, 1])
         request = bytes(12) + struct.pack(">HHHBBH", 0x0806, 1, 0x0800, 6, 4, 1) + ends
         found.append((round(time * 1e9), request, len(request)))
-    (wrong,) = (one for one in diagnosed(found).wrong if one.role == "explains")
-    assert (wrong.kind, wrong.hosts) == ("other interface", ("10.0.0.3",))
-    assert wrong.evidence.startswith("10.0.0.3 announces itself as 192.168.123.3")
+    seen = ds.read_capture(io.BytesIO(pcap(sorted(found, key=lambda one: one[0]))))
+    processes = seen._processes.assign(announces=seen._processes["host"])
+    (wrong,) = replace(seen, _processes=processes).diagnosis().wrong
+    assert (wrong.kind, wrong.hosts) == ("other interface", ("10.0.0.3", "192.168.123.3"))
+    assert wrong.evidence.endswith(
+        "have one MAC address, and the host announces only 192.168.123.3"
+    )

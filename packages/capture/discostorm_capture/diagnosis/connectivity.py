@@ -54,10 +54,10 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
             text = f"{host} announces itself as {join_names(announced)}{answers}"
             wrong.setdefault(kind, {})[host] = text
         elif announced and member not in working and (other := _address_in_fleet(obs, host)):
-            text = say("other interface", other, announced)
-            wrong.setdefault("other interface", {})[other] = text
+            text = say("other interface", other, host, announced)
+            wrong.setdefault("other interface", {}).update({other: text, host: text})
     for kind, texts in wrong.items():
-        yield Finding(kind, tuple(texts), "; ".join(texts.values()))
+        yield Finding(kind, tuple(texts), "; ".join(dict.fromkeys(texts.values())))
 
 
 def _address_in_fleet(obs: Observations, host: str) -> str:
