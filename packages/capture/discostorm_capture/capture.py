@@ -146,10 +146,11 @@ class Capture:
         for host, endpoints in by_host:
             alike = len(endpoints), float(endpoints.mean()), str(host) in on_wires
             like.setdefault(alike, []).append(str(host))
-        groups = [
-            HostGroup(len(hosts), some, each, _group_name(hosts, len(like)), wired=by_wire)
-            for (some, each, by_wire), hosts in like.items()
-        ]
+        groups = []
+        for (some, each, by_wire), hosts in like.items():
+            name = hosts[0] + f" and {len(hosts) - 1} more" * (len(hosts) > 1)
+            name *= len(like) > 1
+            groups.append(HostGroup(len(hosts), some, each, name, wired=by_wire))
         return Fleet(tuple(groups))
 
     def vantage_host(self) -> str | None:
@@ -323,10 +324,3 @@ class Capture:
         if (view := self.vantage_host()) is None:
             return counts.VisibleFleet(fleet)
         return counts.fleet_visible_from(fleet, self._processes[self._processes["host"] == view])
-
-
-def _group_name(hosts: list[str], groups: int) -> str:
-    if groups == 1:
-        return ""
-    more = f" and {len(hosts) - 1} more" if len(hosts) > 1 else ""
-    return hosts[0] + more

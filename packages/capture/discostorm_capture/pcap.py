@@ -117,12 +117,6 @@ class _Interface:
     resolution: int = 6
     offset: int = 0
 
-    def nanoseconds(self, ticks: int) -> int:
-        """Return the time of a tick of the clock [ns]."""
-        power = self.resolution & 0x7F
-        ticks_per_second: int = (2 if self.resolution & 0x80 else 10) ** power
-        return min(ticks * NS_PER_SECOND // ticks_per_second, 2**62) + self.offset * NS_PER_SECOND
-
 
 def _parse_pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tuple[int, ...]:
     """Append the packets of a pcapng file to `rows`; return the link types of its interfaces."""
@@ -195,7 +189,10 @@ def _parse_packet(
         return at + 12, held, sent, 0, first
     fields = "5I" if kind == _ENHANCED_PACKET else "H2x4I"
     index, high, low, held, sent = struct.unpack_from(order + fields, source, at + 8)
-    time = interfaces[first + index].nanoseconds(high << 32 | low)
+    clock = interfaces[first + index]
+    ticks_per_second = (2 if clock.resolution & 0x80 else 10) ** (clock.resolution & 0x7F)
+    time = min((high << 32 | low) * NS_PER_SECOND // ticks_per_second, 2**62)
+    time += clock.offset * NS_PER_SECOND
     return at + 28, held, sent, time, first + index
 
 

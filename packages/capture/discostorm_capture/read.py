@@ -69,18 +69,23 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     start = int(time.min()) if len(time) else 0
     since = (time - start) * NANOSECOND
     first, last = since[[0, -1]].tolist() if len(since) else (0.0, 0.0)
-    steps = _find_clock_steps(time)
+    step = np.diff(time)
+    jumps = np.flatnonzero((step < -_MIN_STEP_BACK) | (step > _MIN_STEP_FORWARD)).tolist()
+    steps = tuple((frame + 2, step[frame] * NANOSECOND) for frame in jumps)
     truncated = int(np.count_nonzero(packets.table["size"] < packets.table["length"]))
     cut = {"packets were cut when they were captured (snaplen)": truncated} if truncated else {}
     cut |= {note: count for note, count in notes.items() if note in _GAP_NOTES}
     table = _message_table(messages, since, carried, [process.name for process in processes])
     copies = table["copy"][table["multicast"]]
+    frames, udp = messages["frames"].astype(np.float64), messages["udp"]
+    parts = {"UDP": frames[udp], "TCP": frames[~udp]}
+    without = {name: carried.packets[name] - round(float(of.sum())) for name, of in parts.items()}
     recording = Recording(
         truncated / max(len(time), 1),
         steps,
         first_packet_time=first,
         recorded_time=last - first - sum(step for _, step in steps),
-        packets_without_messages=carried.packets | _packets_without_messages(carried, messages),
+        packets_without_messages=carried.packets | without,
         gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
         incomplete_datagrams=notes[transport.MISSING_FRAGMENTS_NOTE],
         duplicate_multicast_share=float(copies.mean()) if len(table) else 0.0,
@@ -145,20 +150,6 @@ def _combine_dissections(dissections: list[Dissection]) -> tuple[Columns, list[P
     messages = concat(*tables)
     order = np.argsort(messages["frame"], kind="stable")
     return take_rows(messages, order), [process for *_, process in processes]
-
-
-def _find_clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
-    """Return the steps of a capture's clock: frame number after the step, and its size [s]."""
-    step = np.diff(time)
-    frames = np.flatnonzero((step < -_MIN_STEP_BACK) | (step > _MIN_STEP_FORWARD))
-    return tuple((frame + 2, step[frame] * NANOSECOND) for frame in frames.tolist())
-
-
-def _packets_without_messages(carried: IpContent, messages: Columns) -> dict[str, int]:
-    """Return the number of UDP and TCP packets without a message."""
-    frames, udp = messages["frames"].astype(np.float64), messages["udp"]
-    parts = {"UDP": frames[udp], "TCP": frames[~udp]}
-    return {name: carried.packets[name] - round(float(of.sum())) for name, of in parts.items()}
 
 
 def _message_table(

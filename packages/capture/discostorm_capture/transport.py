@@ -169,8 +169,11 @@ def _complete_datagrams(
         datagram.received_bytes += length
         if not more:
             datagram.length = offset + length
+        if datagram.received_bytes != datagram.length:
+            continue
         # Datagrams with overlapping fragments are dropped, as in Linux (RFC 5722).
-        if datagram.received_bytes == datagram.length and _is_contiguous(datagram, lengths):
+        offsets, rows = zip(*sorted(datagram.rows.items()), strict=True)
+        if [*offsets] == [*accumulate((lengths[row] for row in rows), initial=0)][:-1]:
             waiting.remove(datagram)
             complete.append(datagram)
     incomplete += [datagram for waiting in pending.values() for datagram in waiting]
@@ -180,12 +183,6 @@ def _complete_datagrams(
     if missing := {part for part in map(identities, incomplete) if not part <= used}:
         notes[MISSING_FRAGMENTS_NOTE] += len(missing)
     return complete
-
-
-def _is_contiguous(datagram: _PendingDatagram, lengths: list[int]) -> bool:
-    """Return whether each fragment begins where the previous one ends."""
-    offsets, rows = zip(*sorted(datagram.rows.items()), strict=True)
-    return [*offsets] == [*accumulate((lengths[row] for row in rows), initial=0)][:-1]
 
 
 def _fragment_identities(

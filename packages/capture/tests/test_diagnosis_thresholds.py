@@ -4,6 +4,8 @@ import io
 import struct
 from collections import Counter
 from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -26,6 +28,8 @@ import discostorm as ds
 from discostorm_capture.diagnosis import traffic
 from discostorm_capture.diagnosis.diagnose import Diagnosis
 from discostorm_capture.live_capture import PacketStream, Watch
+
+STAGED = Path(__file__).with_name("captures")
 
 
 def diagnosed(found: Iterable[Packet]) -> Diagnosis:
@@ -91,7 +95,7 @@ def heavy_loss(share: float) -> bool:
     found += [endpoint(2.0 + 0.1 * one, 1, 2, one) for one in range(2, count + 2)]
     found += [acknowledge(2.05 + 0.1 * one, 2, 1, one, 1) for one in range(count - 2, count + 2)]
     losses = kinds(diagnosed([*found, acknowledge(2.2 + 0.1 * count, 2, 1, count + 2)]))
-    assert losses & {"loss", "heavy loss"}
+    assert losses & {"some loss", "heavy loss"}
     return "heavy loss" in losses
 
 
@@ -267,12 +271,65 @@ def test_segments_to_a_host_that_has_ended_are_not_lost() -> None:
 
 @pytest.mark.parametrize(
     ("counts", "told"),
-    [(((7, 3811), (0, 0)), False), (((7, 1500), (0, 0)), True), (((0, 0), (3, 48)), True)],
+    [
+        (((7, 3811), (0, 0)), set[str]()),
+        (((7, 1500), (0, 0)), {"some loss"}),
+        (((0, 0), (3, 48)), {"loss"}),
+        (((30, 1000), (0, 0)), {"heavy loss"}),
+    ],
 )
 def test_loss_is_told_if_its_interval_is_above_the_threshold(
-    counts: tuple[object, object], told: bool, monkeypatch: pytest.MonkeyPatch
+    counts: tuple[object, object], told: set[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ends, when = Counter({"10.77.0.1": 1, "10.77.0.2": 1}), np.array([1.0])
     monkeypatch.setattr(traffic, "find_losses", lambda _: (*counts, ends, ends, when))
     diagnosis = diagnosed([*startup(0.0, 1, 2), *regularly(1, 10), *regularly(2, 10)])
-    assert ("loss" in kinds(diagnosis)) == told
+    assert kinds(diagnosis) == told
+    assert diagnosis.healthy == (told <= {"some loss"})
+
+
+def stopping(share: float, only: str = "User data") -> Diagnosis:
+    """Diagnose a healthy capture without the samples of a writer after this share of its time."""
+    seen = ds.read_capture(STAGED / "watched_beside_robots.pcap.xz")
+    rows = seen._messages
+    later = rows["time"] > rows["time"].min() + share * np.ptp(rows["time"])
+    process = "0110fa7cb201f9de1cb398d6"
+    own = rows["process"].eq(process) & rows["writer"].eq(1027) & rows["kind"].eq(only)
+    return replace(seen, _messages=rows[~(own & later)].reset_index(drop=True)).diagnosis()
+
+
+def test_a_topic_that_stops_is_an_event_if_its_writer_stays() -> None:
+    assert stopping(1.0).findings == ()
+    (found,) = (stopped := stopping(0.4)).findings
+    assert (found.kind, found.hosts, stopped.healthy) == ("topic stops", ("10.77.0.3",), True)
+    assert "samples of /a_rather_long_topic_name_of_a_robot_0 from 0.0 s to 19." in found.evidence
+    assert "check the sensor or other source behind it" in stopped.summary()
+
+
+def test_a_process_that_deletes_none_of_its_many_endpoints_is_named() -> None:
+    seen = ds.read_capture(STAGED / "client_for_each_call.pcap.xz")
+    kept = replace(seen, _messages=seen._messages.assign(ends=False)).diagnosis()
+    assert "10.77.0.2 announced " in kept.wrong[0].evidence
+    assert kept.wrong[0].kind == "endpoints pile up"
+    assert "new endpoints of /set_mode (service)" in kept.wrong[0].evidence
+    assert "publishers and subscriptions once, and keep them" in kept.wrong[0].advice
+
+
+def test_a_host_that_announces_the_address_of_another_interface_is_named() -> None:
+    elsewhere, here = bytes([192, 168, 123, 3]), bytes([10, 0, 0, 3])
+    found = [*startup(0.0, 1, 2), *regularly(1, 20), *regularly(2, 20)]
+    found += [
+        (time, frame[:26] + elsewhere + frame[30:], length)
+        for time, frame, length in regularly(3, 20)
+    ]
+    for time, address in ((0.1, elsewhere), (0.2, here)):
+        ends = bytes([2, 0, 0, 0, 0, 3]) + address + bytes(6) + bytes([10, 0, 0, 1])
+        request = bytes(12) + struct.pack(">HHHBBH", 0x0806, 1, 0x0800, 6, 4, 1) + ends
+        found.append((round(time * 1e9), request, len(request)))
+    seen = ds.read_capture(io.BytesIO(pcap(sorted(found, key=lambda one: one[0]))))
+    processes = seen._processes.assign(announces=seen._processes["host"])
+    (wrong,) = replace(seen, _processes=processes).diagnosis().wrong
+    assert (wrong.kind, wrong.hosts) == ("other interface", ("10.0.0.3", "192.168.123.3"))
+    assert wrong.evidence.endswith(
+        "have one MAC address, and the host announces only 192.168.123.3"
+    )

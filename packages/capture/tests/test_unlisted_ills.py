@@ -184,9 +184,9 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "server_number",
-            "the server or router that others look for at 10.77.0.101 does not",
+            "10.77.0.101 is on, but neither answers nor refuses calls to the server there",
             "t 10.77.0.101, port 11811, 369 messages from 3 hosts got no answer",
-            "its number (`fastdds discovery -i`) must be its position in ROS_DISCOVERY_SERVER",
+            "its number (`fastdds discovery -i`) is not its position in ROS_DISCOVERY_SERVER",
         ),
         (
             "no_password",
@@ -431,6 +431,7 @@ def test_what_may_be_on_purpose_is_an_event_of_a_healthy_fleet() -> None:
     for name, kind, host, advice in (
         ("service_without_domain", "process alone", "10.77.0.1", "the same ROS_DOMAIN_ID"),
         ("healthy_two_teams", "two fleets", "10.77.0.4", "the same ROS_DOMAIN_ID"),
+        ("healthy_two_zenoh_teams", "two fleets", "10.77.0.4", "the same ROS_DOMAIN_ID"),
         (
             "no_free_participant_index",
             "no free index",
@@ -493,3 +494,22 @@ def test_two_fleets_of_which_one_keeps_the_default_domain_are_a_fault() -> None:
     found = seen.diagnosis()
     assert [finding.kind for finding in found.findings] == ["two domains"]
     assert not found.healthy
+
+
+def test_the_router_of_each_group_is_named_unless_a_domain_separates_them() -> None:
+    seen = ds.read_capture(STAGED / "two_routers.pcap.xz")
+    (found,) = seen.diagnosis().wrong
+    assert found.evidence.endswith(
+        "the server or router is 10.77.0.102 for 10.77.0.3, and 10.77.0.101 for the others"
+    )
+    domains = seen._processes["host"].map({"10.77.0.1": 0, "10.77.0.2": 0, "10.77.0.3": 7})
+    domains = domains.fillna(-1).astype(int)
+    apart = replace(seen, _processes=seen._processes.assign(domain=domains)).diagnosis()
+    assert [one.kind for one in apart.wrong] == ["two domains"]
+
+
+def test_in_a_fleet_of_routers_the_group_without_a_link_is_named() -> None:
+    seen = ds.read_capture(STAGED / "two_routers.pcap.xz")
+    routers = seen._processes.assign(server=True)
+    (found,) = replace(seen, _processes=routers).diagnosis().wrong
+    assert found.hosts == ("10.77.0.102", "10.77.0.3")

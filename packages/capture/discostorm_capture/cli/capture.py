@@ -17,7 +17,6 @@ from discostorm.cli import fleet_options, output as cli_output
 from discostorm.cli.calculator_link import CalculatorLink, calculator_link
 from discostorm.cli.options import FILE_ARGS, output_options, protocol_option_of
 from discostorm.fleet import COUNTS
-from discostorm_capture._types import DataFrame
 from discostorm_capture.cli import diagnosis_output
 from discostorm_capture.cli.diagnosis_output import OPTIONS
 from discostorm_capture.dissection import json_rows
@@ -69,7 +68,9 @@ def capture(
     with cli_output.bad_input(), cli_output.show_slow_task("reading"):
         captured = ds.read_capture(fleet_options.standard_input() if file == "-" else file)
         compared = fleet_options.comparison_fleet(fleet, robot, hosts)
-        wired_hosts = _parse_wired(wired)
+        if "none" in wired and len(wired) > 1:
+            raise cli_output.BadInput(f"--wired: 'none' must stand alone; got {', '.join(wired)}")
+        wired_hosts = () if wired == ("none",) else wired or None  # None: as the capture shows
         wires = set(captured.processes()["protocol"])
         models = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in wires]
         if against is not None:
@@ -128,7 +129,11 @@ def capture(
             limits.insert(0, say("view", view))
         for note in limits:
             click.echo(cli_output.visible(f"Note: {note}."))
-        _print_traffic_totals(captured, sums, seconds)
+        for name, row in sums[sums["messages"] > 0].iterrows():
+            sizes = *row[["messages", "bytes", "airtime_s"]], cli_output.percent(row["of_time"])
+            click.echo(say("totals", wording.capitalized(str(name)), *sizes, captured.duration))
+        for name, time in seconds.items():
+            click.echo(f"The table compares {time:.1f} s from the first message on with {name}.")
         if wired_hosts is None and (serving := captured.servers()):
             click.echo(say("wired servers", " and ".join(serving)))
         products = sorted(set(captured.processes()["product"]) & set(ds.PROTOCOLS))
@@ -137,13 +142,6 @@ def capture(
             click.echo(f"'expected' has the paper's count; {options} shows that of the product.")
         if written is not None:
             _print_next_command(written, link)
-
-
-def _parse_wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
-    """Return the addresses of wired hosts; None to infer them from the capture."""
-    if "none" in addresses and len(addresses) > 1:
-        raise cli_output.BadInput(f"--wired: 'none' must stand alone; got {', '.join(addresses)}")
-    return () if addresses == ("none",) else addresses or None
 
 
 def _format_fleet_file(fleet: ds.Fleet, source: str) -> str:
@@ -192,15 +190,6 @@ def _print_fleet_and_messages(
 
 def _format_or_empty(template: str) -> Callable[[float | None], str]:
     return lambda value: "" if value is None else template.format(value)
-
-
-def _print_traffic_totals(captured: Capture, sums: DataFrame, seconds: dict[str, float]) -> None:
-    """Print totals of discovery and user data, and the time that each comparison covers."""
-    for name, row in sums[sums["messages"] > 0].iterrows():
-        sizes = row["messages"], row["bytes"], row["airtime_s"], cli_output.percent(row["of_time"])
-        click.echo(say("totals", wording.capitalized(str(name)), *sizes, captured.duration))
-    for name, time in seconds.items():
-        click.echo(f"The table compares {time:.1f} s from the first message on with {name}.")
 
 
 def _print_next_command(written: str, link: CalculatorLink | None) -> None:

@@ -53,8 +53,21 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
             answers = f", to which others sent {count} messages" if count else ""
             text = f"{host} announces itself as {join_names(announced)}{answers}"
             wrong.setdefault(kind, {})[host] = text
+        elif announced and member not in working and (other := _address_in_fleet(obs, host)):
+            text = say("other interface", other, host, announced)
+            wrong.setdefault("other interface", {}).update({other: text, host: text})
     for kind, texts in wrong.items():
-        yield Finding(kind, tuple(texts), "; ".join(texts.values()))
+        yield Finding(kind, tuple(texts), "; ".join(dict.fromkeys(texts.values())))
+
+
+def _address_in_fleet(obs: Observations, host: str) -> str:
+    """Return the address of a host in the network of all others, if it sends from another one."""
+    arp, others = obs.events("ARP request", "ARP reply"), [*{*obs.host_first_last} - {host}]
+    macs = arp["port"][arp["sender"].eq(host)]
+    same = {*arp["sender"][arp["port"].isin(macs)].astype(str)} - {host, *others}
+    if ":" in host or obs.subnet_neighbors(host, others):
+        return ""
+    return next((one for one in sorted(same) if obs.subnet_neighbors(one, others) == others), "")
 
 
 def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
@@ -155,15 +168,17 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
 
 def different_domains(evidence: Evidence) -> Iterator[Finding]:
     """Report that hosts are in different domains, or a process is in another one than its host."""
-    known = evidence.obs.processes.query("domain >= 0 and host != ''")
+    obs, known = evidence.obs, evidence.obs.processes.query("domain >= 0 and host != ''")
     names = known["domain"].astype(str) + known["tag"].map(lambda tag: tag and f" (tag {tag!r})")
     for _, table in known.groupby("protocol"):
         members = table.groupby(names)["host"].unique()
         hosts = tuple(chain.from_iterable(members))
         said = [f"domain {domain} has {join_names(found)}" for domain, found in members.items()]
         if len(members) > 1 and len(hosts) == len({*hosts}):
-            # Two teams sharing a network have several hosts each, and none in the default domain.
-            teams = min(map(len, members)) > 1 and "0" not in members
+            # Two teams sharing a network have several hosts each, and none in the default domain,
+            # or no packets between them, as with a Zenoh router for each.
+            apart = [_is_by_domain(obs, _connected_groups(obs, one)) for one in evidence.scopes]
+            teams = min(map(len, members)) > 1 and ("0" not in members or any(apart))
             yield Finding("two fleets" if teams else "two domains", hosts, join_names(said, "; "))
         single = members[names[table.index].value_counts()[members.index] == 1]
         for (host,) in single:
@@ -355,9 +370,9 @@ def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[F
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:
     """Report that hosts of a scope form groups without any message from one to another."""
-    parts = [_connected_groups(evidence.obs, scope) for scope in evidence.scopes]
-    separated = [_explain_separation(evidence.obs, groups) for groups in parts if len(groups) > 1]
-    yield from separated or _hosts_never_addressed(evidence)
+    obs, parts = evidence.obs, [_connected_groups(evidence.obs, one) for one in evidence.scopes]
+    parts = [groups for groups in parts if len(groups) > 1 and not _is_by_domain(obs, groups)]
+    yield from [_explain_separation(obs, of) for of in parts] or _hosts_never_addressed(evidence)
 
 
 def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
@@ -408,6 +423,13 @@ def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]
     return sorted(groups, key=lambda group: (-len(group & hosts), sorted(group)))
 
 
+def _is_by_domain(obs: Observations, groups: list[set[str]]) -> bool:
+    """Return whether there are several groups, in different domains."""
+    known = obs.processes.query("domain >= 0")
+    domains = [{*known["domain"][known["host"].isin(group)]} for group in groups]
+    return len(groups) > 1 and all(domains) and sum(map(len, domains)) == len(set().union(*domains))
+
+
 def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
     """Return the multicast groups and ports to which each announcing host sends."""
     looks = obs.links_of(obs.messages[obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]])
@@ -422,16 +444,22 @@ def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
 def _explain_separation(obs: Observations, groups: list[set[str]]) -> Finding:
     targets = _multicast_targets(obs)
     servers = obs.messages["sender"][np.isin(obs.sender_index, [*obs.servers])]
-    few = tuple(sorted(set().union(*groups[1:]) - {*servers}))
+    rest = set().union(*groups[1:])
+    few = tuple(sorted(rest - {*servers} or rest))  # in a fleet of routers, each host is a server
     text = say("groups apart", "; ".join(join_names(sorted(group)) for group in groups))
     looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
     if len(looking) > 1:
         sends = {host: [f"{to}, port {port}" for to, port in targets[host]] for host in targets}
         texts = [f"{host} sends to {join_names(sorted(to))}" for host, to in sorted(sends.items())]
         return Finding("other group", few, "; ".join(texts))
-    if looking and served:
+    if looking and served and looking[0] not in served:
         text = say("discovery by group", sorted(looking[0]), sorted(served[0] - looking[0]))
         seen = obs.processes["product"][np.isin(obs.process_host, [*looking[0]])]
         ignores = len(seen) and not seen.str.contains("Fast DDS|Zenoh").any()
         return Finding("no server there" if ignores else "different discovery", few, text)
+    own, theirs = (sorted(group & {*servers}) for group in (rest, groups[0]))
+    if own and theirs and {*few} - {*own}:
+        text += say("other servers", few, own, theirs)
+        hello = obs.links_of(obs.messages[obs.isin("kind", "Hello")])
+        text += "".join(say("found by scouting", to, of) for of, to in sorted(hello) if of in own)
     return Finding("different servers" if len(served) > 1 else "separate peers", few, text)

@@ -267,7 +267,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     wrong = [one for one in findings if one.about == "fleet"]
     limits += [one for one in findings if one.about == "capture"]
     limits += topics.unknown_qos(evidence)
-    happened = [one for one in (*events, *others) if one.about == "event"]
+    happened = [one for one in (*events, *others, *losses) if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
     announced = obs.time[obs.isin("kind", *STARTUP_KINDS) & ~obs["ends"]]
     quiet = obs.recording.recorded_time - announced.max(initial=0.0)

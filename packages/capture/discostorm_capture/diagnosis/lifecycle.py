@@ -92,7 +92,7 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
                 since = when - LIMITS.late_delivery
                 # The system of a process that crashes closes its connections.
                 ends = obs["ends"] & obs.isin("sender", host) & (obs.time >= since)
-                gone = vanished.get(host, 0.0) > since and not ends.any()
+                gone = vanished.get(host, -np.inf) > since and not ends.any()
                 kind = "endless lease" if endless else "crash"
                 yield Finding("out of range" if gone else kind, (host,), text)
 

@@ -93,7 +93,11 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
 def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
     """Return the pairs of RTPS processes, with when each observer knew its subject's endpoints."""
     contact, spoke = first_contacts(obs), _links_without_processes(obs)
-    receivers = _announcement_receivers(obs)
+    # Who announced endpoints to whom: a process, else a host, or "" for multicast.
+    told = np.flatnonzero(obs.isin("kind", SEDP, HEARTBEAT))
+    hosts = np.where(obs["multicast"], "", obs.messages["receiver"].astype(str))[told].tolist()
+    index = (one[told].tolist() for one in (obs.sender_index, obs.receiver_index))
+    receivers = {(of, host if to < 0 else to) for of, to, host in zip(*index, hosts, strict=True)}
     writers, acks = _startup_samples(obs), acknowledgements(obs)
     pairs = []
     for subject, observer in wanted:
@@ -127,14 +131,6 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         anew = tuple(first_of_each_burst(forgotten))
         pairs.append(Pair(subject, observer, first, float(complete), sent, anew))
     return pairs
-
-
-def _announcement_receivers(obs: Observations) -> set[tuple[int, int | str]]:
-    """Return who announced endpoints to whom: a process, else a host, or "" for multicast."""
-    rows = np.flatnonzero(obs.isin("kind", SEDP, HEARTBEAT))
-    hosts = np.where(obs["multicast"], "", obs.messages["receiver"].astype(str))[rows].tolist()
-    ends = (index[rows].tolist() for index in (obs.sender_index, obs.receiver_index))
-    return {(of, host if to < 0 else to) for of, to, host in zip(*ends, hosts, strict=True)}
 
 
 def _links_without_processes(obs: Observations) -> set[tuple[str, str]]:

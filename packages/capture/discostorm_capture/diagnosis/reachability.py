@@ -35,7 +35,9 @@ def reachability(
     obs: Observations, scope: DiscoveryScope, unobservable: Collection[tuple[str, str]]
 ) -> Reachability:
     """Return the reachability of a scope's hosts; pairs in `unobservable` do not count."""
-    hosts = _announcing_hosts(obs, scope)
+    announced = obs.senders(obs.isin("kind", "SPDP") & obs["multicast"]) - server_clients(obs)
+    hosts = obs.hosts_of(member for member in scope.members if member in announced)
+    hosts = scouting_hosts(obs) if scope.protocol == "Zenoh" else hosts
     observable, *heard = np.zeros((4, len(hosts), len(hosts)), bool)
     for row, column in np.ndindex(observable.shape):
         # Both hosts must be present for long enough, and their unicast captured.
@@ -47,14 +49,6 @@ def reachability(
     reach = Reachability(hosts, observable, *heard)
     (_fill_rtps if scope.protocol == "RTPS" else _fill_zenoh)(obs, reach)
     return reach
-
-
-def _announcing_hosts(obs: Observations, scope: DiscoveryScope) -> tuple[str, ...]:
-    """Return the hosts of a scope that announce themselves by multicast."""
-    if scope.protocol == "Zenoh":
-        return scouting_hosts(obs)
-    announced = obs.senders(obs.isin("kind", "SPDP") & obs["multicast"]) - server_clients(obs)
-    return obs.hosts_of(member for member in scope.members if member in announced)
 
 
 def _set_cells(matrix: Array, rows: Array, columns: Array, mask: Array | bool = True) -> None:

@@ -7,7 +7,6 @@ from fnmatch import fnmatchcase
 from itertools import combinations, product
 
 import numpy as np
-import pandas as pd
 
 from discostorm import wording
 from discostorm.data import read_data
@@ -121,6 +120,35 @@ def short_lived_processes(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("left early", tuple(texts), "; ".join(texts.values()))
 
 
+def stopped_topics(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with a writer that sent samples regularly and stopped, but was not deleted."""
+    obs, ends = evidence.obs, evidence.endpoints
+    commands = ends["type"].map(ros_type).map(USE_ON_ROBOTS).eq("read")  # these end on purpose
+    ends = ends[ends["writer"].eq(other=True) & ~commands]
+    named = ends[~ends["topic"].isin(NODE_TOPICS)].set_index(["index", "entity"])["topic"]
+    named = named[named.astype(str).str.startswith("rt/")]
+    goodbyes, last = obs.time[obs["ends"]], obs.first_last[1]
+    sends = obs.isin("kind", "User data") & (obs.sender_index >= 0)
+    for key, rows in obs.rows_by(sends, obs.sender_index, obs["writer"]).items():
+        _, first = np.unique(obs.seq[rows], return_index=True)
+        times = np.sort(obs.time[rows[first]])
+        gaps = np.diff(times)
+        if len(times) < LIMITS.min_steady_messages or key not in named.index:
+            continue
+        steady = (gaps < LIMITS.max_gap_ratio * np.median(gaps)).mean() >= LIMITS.min_steady_share
+        # The readers, or their processes, may have left, too.
+        host, pause = str(obs.process_host[key[0]]), gaps.max() + LIMITS.max_transit
+        there = np.isin(obs.process_host, [host, *obs.messages["receiver"].iloc[rows].unique()])
+        ended = (np.abs(goodbyes - times[-1]) < pause).any() or (
+            evidence.endings[there] != ""
+        ).any()
+        silence = last[there & np.isfinite(last)].min() - times[-1]
+        enough = max(LIMITS.steady_silence, LIMITS.min_pause_ratio * gaps.max())
+        if steady and not ended and silence > enough:
+            values = len(times), ros_topic(str(named[[key]].iloc[0])), times[0], times[-1], silence
+            yield Finding.of("topic stops", (host,), *values)
+
+
 def looping_bridges(evidence: Evidence) -> Iterator[Finding]:
     """Yield pairs of hosts that repeat in DDS what comes by Zenoh, and hear each other's DDS."""
     obs, ends = evidence.obs, evidence.endpoints
@@ -168,16 +196,25 @@ def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, s
 def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
     """Yield topics on which a writer and a reader have incompatible QoS, types or transports."""
     found: dict[str, dict[str, set[str]]] = defaultdict(dict)
+    columns = ["host", *(field.name for field in fields(Endpoint))]
     for _, group in evidence.endpoints.groupby(["scope", "topic"], sort=False):
-        ends, name = _hosts_by_endpoint(group), ros_topic(group["topic"].iloc[0])
+        ends: dict[Endpoint, dict[str, None]] = defaultdict(dict)  # hosts in order, by endpoint
+        for host, *values in group[columns].itertuples(index=False, name=None):
+            ends[Endpoint(*values)][host] = None
+        name = ros_topic(group["topic"].iloc[0])
         is_rtps = evidence.scopes[group["scope"].iloc[0]].protocol == "RTPS"
         writers, readers = ([one for one in ends if one.writer is way] for way in (True, False))
         for writer, reader in product(writers, readers):
             at, kind, text = [join_names([*ends[of]]) for of in (writer, reader)], "QoS differs", ""
             if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
-                text = _type_difference(writer, reader, *at)
-                named = is_rtps and writer.type == reader.type  # DDS matches types by name
-                kind = "definitions differ" if named else "types differ"
+                types = [ros_type(one.type) for one in (writer, reader)]
+                hashes = writer.type_hash[:16], reader.type_hash[:16]
+                # DDS matches types by name.
+                kind = "definitions differ" if is_rtps else "hashes differ"
+                if writer.type != reader.type:
+                    kind, text = "types differ", say("types", at[0], types[0], at[1], types[1])
+                elif all(hashes):  # a process need not announce its type's hash
+                    text = say("type hashes", *at, types[0], *hashes)
             elif {writer.transport, reader.transport} == {"UDP", "TCP"}:
                 kind = "transports differ"
                 text = say("transports", at[0], writer.transport, at[1], reader.transport)
@@ -222,24 +259,6 @@ def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
     unreadable = evidence.obs.endpoints["topic"].isna()
     if count := int(unreadable.sum()):
         yield Finding.of("QoS unknown", (), count, len(unreadable))
-
-
-def _hosts_by_endpoint(group: pd.DataFrame) -> dict[Endpoint, dict[str, None]]:
-    """Return the hosts of identical endpoints of a topic, as keys in order, by endpoint."""
-    ends: dict[Endpoint, dict[str, None]] = defaultdict(dict)
-    names = [field.name for field in fields(Endpoint)]
-    for host, *values in group[["host", *names]].itertuples(index=False, name=None):
-        ends[Endpoint(*values)][host] = None
-    return ends
-
-
-def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
-    """Return how two types differ; "" if a process does not announce its type's hash."""
-    own, other = ros_type(writer.type), ros_type(reader.type)
-    if writer.type != reader.type:
-        return say("types", at_writer, own, at_reader, other)
-    hashes = writer.type_hash[:16], reader.type_hash[:16]
-    return say("type hashes", at_writer, at_reader, own, *hashes) if all(hashes) else ""
 
 
 def _format_duration(seconds: float) -> str:

@@ -119,7 +119,10 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
             text += f", about {wording.percent(own)} of its {total[host]:,} frames"
             yield Finding("weak link", (host,), text)
             return
-    yield Finding("heavy loss" if heavy else "loss", (), text)
+    # Little loss is normal on Wi-Fi, unless it delays discovery.
+    normal = _wilson_ci(again, sent)[0] <= LIMITS.max_healthy_loss
+    normal &= not [*evidence.incomplete_pairs, *multicast_loss(evidence)]
+    yield Finding("heavy loss" if heavy else "some loss" if normal else "loss", (), text)
 
 
 def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
@@ -156,13 +159,22 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
     last = times[times > times[0] + 2 * third]
     if len(np.unique(last.astype(np.int64))) < LIMITS.min_storm_share * third:
         return
+    ends = evidence.endpoints
     own = obs.sender_index[obs.isin("kind", SEDP) & obs["ends"] & (obs.time > last[0])]
     for process, gone in Counter(own[own >= 0].tolist()).most_common(1):
         if gone >= LIMITS.min_storm_share * len(last):
-            (host,), ends = obs.hosts_of([process]), evidence.endpoints
             topics = ends["topic"][ends["index"] == process].map(ros_topic).unique()
-            yield Finding.of("endpoints come and go", (host,), len(last), topics, gone)
+            host = obs.hosts_of([process])
+            yield Finding.of("endpoints come and go", host, len(last), topics, gone)
             return
+    new = obs.rows_by(obs.isin("kind", SEDP) & (obs.time >= last[0]), obs.sender_index, obs.seq)
+    is_new = [key in new for key in zip(ends["index"], ends["number"], strict=True)]
+    counts = ends[np.array(is_new, bool)].value_counts(["index", "topic", "writer"])
+    if counts.max() >= max(LIMITS.min_repeats, LIMITS.min_storm_share * len(new)):
+        process, topic, _ = counts.index[0]
+        values = int(counts.max()), ros_topic(topic), third
+        yield Finding.of("endpoints pile up", obs.hosts_of([process]), *values)
+        return
     first = times[times <= times[0] + third]
     yield Finding.of("storm", (), len(last), third, len(first))
 
@@ -211,6 +223,9 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     reported = {host for one in findings for host in one.hosts} | {*obs.host_first_last}
     refused, heard = obs.event_tuples("unreachable"), obs.host_first_last
     calls = [row for row in refused if row[1] in heard and row[2] not in reported]
+    # Cyclone DDS searches for its peers at several ports, and most of them are closed.
+    tried = Counter(row[1:3] for row in obs.event_tuples("asked"))
+    calls = [row for row in calls if tried[row[1:3]] < LIMITS.port_search]
     calls += [row for row in refused if row[3] in SERVICE_PORTS and row not in calls]
     for host, count in Counter(row[2] for row in calls).items():
         if count >= LIMITS.min_calls:
@@ -247,6 +262,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         text = f"{count} messages from {wording.count_noun(len(failed), 'host')} got no answer"
         if refused := obs.events("unreachable")["receiver"].eq(host).sum():
             text += f" except {refused} ICMP replies that no process uses the port"
+        arp = obs.events("ARP request", "ARP reply")["sender"].eq(host).sum()
         asked = {row[1:4] for row in obs.event_tuples("asked") if row[2] == host}
         tried = {port for caller, _, port in asked if caller in failed}
         answers = {port for caller, _, port in asked if caller in served}
@@ -258,9 +274,12 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
             yield Finding.of("different discovery", failed, host, text, free)
         elif not served:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
-            spoke = "the host sent nothing" + ("" if np.isinf(last) else f" after {last:.1f} s")
+            spoke = "no discovery came from it" + ("" if np.isinf(last) else f" after {last:.1f} s")
             at = f", port {join_names([*map(str, sorted(tried))])}" if tried else ""
-            yield Finding("server down", (host,), f"at {host}{at}, {text}; {spoke}")
+            kind = "server down"
+            if arp and not refused and np.isinf(last):  # without a process, it would send ICMP
+                kind, spoke = "server blocked", say("on by ARP", arp)
+            yield Finding(kind, (host,), f"at {host}{at}, {text}; {spoke}")
         elif not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
             yield Finding.of("server number", failed, host, served, count)
         elif not (heard & obs.isin("sender", *failed)).any():
@@ -427,12 +446,8 @@ def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
         long = np.flatnonzero(np.diff(sent) > LIMITS.max_transit)
         pause = sent[long], sent[long + 1]
         after = pause[1], pause[1] + LIMITS.max_burst_pause
-        to_it, good, bad = (
-            beats & obs.isin("receiver", host),
-            own & acks & ~lacks,
-            own & acks & lacks,
-        )
-        spans = (to_it, pause), (good, after), (bad, after)
+        to_it = beats & obs.isin("receiver", host)
+        spans = (to_it, pause), (own & acks & ~lacks, after), (own & acks & lacks, after)
         asked, good, bad = (
             np.diff(np.searchsorted(obs.time[of], at), axis=0)[0] for of, at in spans
         )
