@@ -777,7 +777,7 @@ SIMULATED: list[dict[str, str]] = [
     START,
     {**SMALL, "hosts": "12"},
     {**SMALL, "hosts": "12", "within": "4"},
-    {**SMALL, "hosts": "16", "middleware": "Cyclone DDS", "wifi": "802.11ac 80 MHz 2x2"},
+    {**SMALL, "hosts": "20", "middleware": "Cyclone DDS", "wifi": "802.11ac 80 MHz 2x2"},
     {**SMALL, "hosts": "8", "middleware": "Zenoh peer, tokens"},
     {**START, "hosts": "8", "middleware": "Fast DDS 2.6", "wifi": "802.11n 20 MHz 2x2"},
     {**START, "hosts": "6", "middleware": "Fast DDS Discovery Server, on a robot"},
