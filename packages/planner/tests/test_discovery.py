@@ -569,6 +569,19 @@ def test_an_interrupt_leaves_what_is_known() -> None:
         plan.simulate(interrupt)
 
 
+def test_an_interrupted_command_prints_what_is_known_and_exits_with_1(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(change_simulation, "_simulate_prepared", interrupted)
+    done = run("plan", "--hosts", "3", "--processes", "2", "--endpoints", "10")
+    assert done.exit_code == 1
+    assert done.stdout.startswith("Yes, this startup works")
+    assert "Interrupted: " in done.stdout
+
+
 def test_long_simulations_take_fewer_runs_by_their_estimate(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

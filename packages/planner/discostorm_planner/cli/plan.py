@@ -112,7 +112,7 @@ def plan(
     elif len(plans) > 1:
         _print_comparison(plans, output)
     else:
-        _simulate_plan(plans[0])
+        is_complete = _simulate_plan(plans[0])
         if output.as_csv:
             print_table(_change_rows(plans[0]), output)
         elif output.as_json:
@@ -125,6 +125,8 @@ def plan(
                 click.echo(wording.wrap(" ".join(map(answer_text.fill, hints)), width))
             if why:
                 click.echo("\n" + visible(plans[0].why(width)))
+        if not is_complete:
+            sys.exit(1)
 
 
 def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
@@ -159,16 +161,16 @@ def _progress_bar(busy: str) -> Iterator[tuple[Progress, Callable[[str], None]]]
         yield show, tell
 
 
-def _simulate_plan(answer: ds.Plan) -> None:
-    """Simulate a plan with a progress bar, unless there is nothing to simulate."""
+def _simulate_plan(answer: ds.Plan) -> bool:
+    """Simulate a plan with a progress bar; return whether nothing is left to simulate."""
     if answer.all_wired or answer.fleet.hosts() == 1:
-        return
+        return True
     low = answer.startup.bounds[0]
     busy = "Periodic traffic alone fills the channel."
     if math.isfinite(low):
         busy = f"Today's startup needs at least {wording.time_range(low, low)} of airtime."
     with _progress_bar(f"{busy} Simulating it and its changes.") as (show, tell):
-        answer.simulate(show, tell, interruptible=True)
+        return answer.simulate(show, tell, interruptible=True).complete
 
 
 def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
