@@ -160,8 +160,8 @@ def test_commands_have_columns_for_data_where_there_are_some() -> None:
     assert "both" in run("utilization", "-", text=text)
     (row,) = json.loads(run("utilization", "-", "--json", text=FILE))
     assert "data_utilization" not in row
-    assert "Your data need" in run("plan", "-", "--why", text=text)
-    assert "Your data need" not in run("plan", "-", "--why", text=FILE)
+    assert "our data need" in run("plan", "-", "--why", text=text)
+    assert "our data need" not in run("plan", "-", "--why", text=FILE)
     assert json.loads(run("plan", "-", "--json", text=text))["data"]["fits_after_startup"] == "fits"
 
 
