@@ -7,14 +7,16 @@ from discostorm_capture._arrays import IdTable, concat, factorize, numbers_at, t
 from discostorm_capture._types import Array, Bytes, Columns
 
 #: Kinds of events. Instead of a port, ARP has the sender's MAC address, and segments that arrived
-#: or vanished have their payload size [B], and time stamps their seconds.
+#: or vanished have their payload size [B], time stamps their seconds, and other traffic its bytes.
 EVENT_KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
-    *("time stamp", "parts missing"),
+    *("time stamp", "parts missing", "other traffic"),
 )
 _ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
-_HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED, _TIME_STAMP, _PARTS = range(6, 13)
+_HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED, _TIME_STAMP, _PARTS, _OTHER = range(
+    6, 14
+)
 _ARP_BYTES, _DESTINATION_UNREACHABLE, _REASSEMBLY_TIMEOUT = 28, 3, 0x0B01
 #: A segment has vanished after this many transmissions without an acknowledgement.
 _MIN_TRANSMISSIONS = 3
@@ -107,6 +109,15 @@ def time_stamps(datagrams: Columns, rows: Array, seconds: Array) -> Columns:
     """Return one event for each sender and time stamp of datagrams."""
     _, first = factorize(datagrams["source"][rows], seconds)
     return _events_of_rows(_TIME_STAMP, datagrams, rows[first]) | {"port": seconds[first]}
+
+
+def other_traffic(packets: Columns, frames: Array) -> Columns:
+    """Return one event for each flow of datagrams or segments without a message in `frames`."""
+    names = ("source", "target", "from_port", "to_port")
+    code, first = factorize(*(packets[name] for name in names))
+    used = np.bincount(code[np.isin(packets["frame"], frames)], minlength=len(first)) > 0
+    octets = np.bincount(code, packets["wire"], len(first)).astype(np.int64)
+    return _events_of_rows(_OTHER, packets, first[~used]) | {"port": octets[~used]}
 
 
 def two_way_exchanges(datagrams: Columns) -> Columns:

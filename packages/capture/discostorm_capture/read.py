@@ -120,6 +120,7 @@ def _dissect_all(
         rtps.dissect_rtps(data, carried.addresses, messages, notes),
         zenoh.dissect_zenoh(carried, scouts, others, streams, notes),
     ]
+    frames = np.concatenate([part.messages["frame"] for part in dissections])
     return dissections, concat(
         carried.network_events,
         network_events.two_way_exchanges(others),
@@ -127,6 +128,7 @@ def _dissect_all(
         network_events.connection_events(streams),
         network_events.arrived_and_vanished_segments(streams),
         *map(network_events.addressed_ports, (messages, scouts)),
+        *(network_events.other_traffic(of, frames) for of in (datagrams, segments)),
     )
 
 

@@ -22,10 +22,11 @@ from handmade_captures import (
     sample,
     startup,
     submessage,
+    udp,
 )
 
 import discostorm as ds
-from discostorm_capture.diagnosis import traffic
+from discostorm_capture.diagnosis import losses
 from discostorm_capture.diagnosis.diagnose import Diagnosis
 from discostorm_capture.live_capture import PacketStream, Watch
 
@@ -282,10 +283,33 @@ def test_loss_is_told_if_its_interval_is_above_the_threshold(
     counts: tuple[object, object], told: set[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ends, when = Counter({"10.77.0.1": 1, "10.77.0.2": 1}), np.array([1.0])
-    monkeypatch.setattr(traffic, "find_losses", lambda _: (*counts, ends, ends, when))
+    monkeypatch.setattr(losses, "find_losses", lambda _: (*counts, ends, ends, when))
     diagnosis = diagnosed([*startup(0.0, 1, 2), *regularly(1, 10), *regularly(2, 10)])
     assert kinds(diagnosis) == told
     assert diagnosis.healthy == (told <= {"some loss"})
+
+
+@pytest.mark.parametrize(("share", "kind"), [(0.45, "heavy loss"), (0.55, "crowded link")])
+def test_a_transfer_of_most_bytes_is_named_where_frames_are_lost(
+    share: float, kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ends, when = Counter({"10.0.0.1": 1}), np.array([1.0])
+    found = ((30, 1000), (0, 0), ends, ends, when)
+    monkeypatch.setattr(losses, "find_losses", lambda _: found)
+    fleet = [*startup(0.0, 1, 2), *regularly(1, 10), *regularly(2, 10)]
+    of_ros = int(ds.read_capture(io.BytesIO(pcap(sorted(fleet))))._messages["bytes"].sum())
+    octets = round(share / (1 - share) * of_ros)
+    head = fleet[0][1][:14]  # of Ethernet
+    frames = [head + udp(bytes(octets // 5), 2, 1, (5555, 6666)) for _ in range(5)]
+    copied = [(round(1e9 * (1 + at)), frame, len(frame)) for at, frame in enumerate(frames)]
+    (wrong,) = diagnosed([*fleet, *copied]).wrong
+    assert wrong.kind == kind
+    if kind == "crowded link":
+        assert wrong.hosts == ("10.0.0.2",)
+        rate = 8e-6 * 5 * (octets // 5) / 8
+        assert f"other programs on 10.0.0.2 send {rate:.2g} Mbit/s" in wrong.evidence
+        assert "30 of 1000 captured frames" in wrong.evidence
+        assert "rsync --bwlimit" in wrong.advice
 
 
 def stopping(share: float, only: str = "User data") -> Diagnosis:

@@ -13,7 +13,7 @@ import pandas as pd
 from discostorm import _checks, wording
 from discostorm.data import data_path
 from discostorm.files import json_ready
-from discostorm_capture.diagnosis import connectivity, topics, traffic
+from discostorm_capture.diagnosis import connectivity, losses, topics
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding, finding_kinds, to_sentence
 from discostorm_capture.diagnosis.observations import SEDP, Observations
@@ -247,19 +247,19 @@ def diagnose(obs: Observations) -> Diagnosis:
     others = [one for one in causes if one not in roots]
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
     lost = any(one.kind in ("large packets", "reassembly", "unacknowledged") for one in causes)
-    losses = [] if lost else list(traffic.frame_loss(evidence))
+    lossy = [] if lost else list(losses.frame_loss(evidence))
     if obs.recording.truncated_share > LIMITS.max_truncated_share:
-        causes, losses = list(connectivity.different_domains(evidence)), []
-    if any(one.kind in ("heavy loss", "weak link") for one in losses):
+        causes, lossy = list(connectivity.different_domains(evidence)), []
+    if any(one.kind in ("heavy loss", "weak link", "crowded link") for one in lossy):
         # Drop broken directions between two hosts: heavy loss can look like them.
         causes = [one for one in causes if one.kind != "one direction of pairs"]
     causes = causes or list(unexplained_pairs(evidence, "not authenticated"))
-    losses = losses or ([] if causes or lost else list(traffic.multicast_loss(evidence)))
-    if not (causes or losses or limits):
+    lossy = lossy or ([] if causes or lost else list(losses.multicast_loss(evidence)))
+    if not (causes or lossy or limits):
         causes = list(unexplained_pairs(evidence, "incomplete"))
     others = run_rules("other", evidence)
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
-    findings = [*causes, *losses, *others]
+    findings = [*causes, *lossy, *others]
     absent = {host for one in findings if one.kind.startswith("missing") for host in one.hosts}
     findings.sort(key=lambda one: [*finding_kinds()].index(one.kind))
     # First what is wrong with the missing hosts, such as a server that was not started there.
@@ -267,7 +267,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     wrong = [one for one in findings if one.about == "fleet"]
     limits += [one for one in findings if one.about == "capture"]
     limits += topics.unknown_qos(evidence)
-    happened = [one for one in (*events, *others, *losses) if one.about == "event"]
+    happened = [one for one in (*events, *others, *lossy) if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
     announced = obs.time[obs.isin("kind", *STARTUP_KINDS) & ~obs["ends"]]
     quiet = obs.recording.recorded_time - announced.max(initial=0.0)

@@ -143,7 +143,7 @@ def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
     there = {*obs.host_first_last, *arp, *obs.announced_addresses}
     requests: dict[str, dict[str, int]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
-        by_it = obs.network_events[obs.network_events["sender"].eq(asker)]
+        by_it = obs.network_events.query("sender == @asker and kind != 'other traffic'")
         idle = asker not in obs.host_first_last and by_it["receiver"].eq(target).all()
         often = len(times) >= LIMITS.min_requests and np.ptp(times) >= LIMITS.timeout
         used = obs.subnet_neighbors(asker, obs.hosts_of(sorted(obs.servers)))

@@ -1,9 +1,8 @@
-"""Findings about traffic: lost frames, storms, unresponsive servers, vanished packets."""
+"""Findings about traffic: storms, unresponsive servers, vanished packets, streams of data."""
 
 from collections import Counter
 from collections.abc import Iterator
 from itertools import chain
-from typing import Any
 
 import numpy as np
 
@@ -12,17 +11,13 @@ from discostorm.data import read_data
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
+from discostorm_capture.diagnosis.losses import SEGMENT_LOSS, frame_loss, lost_sample_frames
 from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import server_clients
 from discostorm_capture.endpoints import ros_topic
 from discostorm_capture.sentences import join_names, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
-#: Thresholds for loss of samples and of segments: minimum number of lost frames, minimum share, and
-#: share of heavy loss [1]. Healthy runs of the lab lost at most 1 sample and 2 segments; runs with
-#: 5 % loss stayed below the heavy shares.
-SAMPLE_LOSS, SEGMENT_LOSS = (2, 0.001, 0.016), (3, 0.015, 0.13)
-ENDS = ("sender", "receiver")
 FLOOD_KINDS = (SEDP, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
 #: Names of ROS 2 software other than DDS and Zenoh, by UDP port.
 _SERVICES = read_data("vendors/service_ports.csv", "discostorm_capture")
@@ -30,123 +25,6 @@ SERVICE_PORTS = {int(row["port"]): f"{row['port']} ({row['what']})" for row in _
 #: Headers of IPv4 with TCP and with UDP; the size of fragments; the smallest packet that an MTU can
 #: drop, because every IPv4 network passes 576 bytes (RFC 791) [B].
 TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
-
-
-def find_losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Any, Any, Array]:
-    """Return the lost and the total number of frames, first for samples, then for segments.
-
-    Then return the numbers of lost and of all frames by sending or receiving host, and the times of
-    the lost ones [s]. A sample counts as lost if an active receiver requests it after having had
-    time to process it.
-    """
-    obs, lost, sent, ends, total = evidence.obs, list[int](), 0, Counter[str](), Counter[str]()
-    frame = obs["frame"]
-    for subject, observer, rows, asks in evidence.answered_samples:
-        count = len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
-        frames = lost_sample_frames(evidence, subject, observer, rows, asks)
-        sent, lost = sent + count, [*lost, *frames]
-        ends.update(dict.fromkeys(obs.hosts_of((subject, observer)), len(frames)))
-        total.update(dict.fromkeys(obs.hosts_of((subject, observer)), count))
-    hosts = [obs.indices_among(end, [*obs.host_first_last]) for end in ("sender", "receiver")]
-    first, last = np.array([*obs.host_first_last.values(), (0.0, np.inf)]).T
-    # Leave out segments from or to a host that has ended: it acknowledges nothing.
-    tcp = (obs.time > first[hosts].max(axis=0) + LIMITS.startup_time) & obs.isin("transport", "TCP")
-    tcp &= obs.time < last[hosts].min(axis=0)
-    again = obs.messages[tcp & obs.isin("kind", "TCP retransmission")]
-    when = np.append(obs.time[np.isin(frame, lost)], again["time"])
-    ends.update(chain(again["sender"].astype(str), again["receiver"].astype(str)))
-    each = obs.messages[tcp & ~obs.isin("protocol", "TCP")].drop_duplicates("frame")
-    total.update(chain(*(rows[end].astype(str) for rows in (each, again) for end in ENDS)))
-    return (len(lost), sent), (len(again), len(each) + len(again)), ends, total, when
-
-
-def lost_sample_frames(
-    evidence: Evidence, subject: int, observer: int, sent: Array, answers: Array
-) -> set[int]:
-    """Return the frames of samples that the receiver requested after the usual answer time."""
-    obs = evidence.obs
-    delay = evidence.min_answer_times.get(obs.hosts_of((subject, observer)), 0.0)
-    delay = delay if LIMITS.max_read_delay < delay < np.inf else 0.0
-    # After a lease expired, the reader requests samples that it had confirmed: these are not lost.
-    before = np.maximum.accumulate(np.append(0, obs.seq[answers]))[:-1]
-    lacks = answers[(obs["missing"][answers] > 0) & (obs.seq[answers] >= before)]
-    sent = sent[obs.time[sent] > obs.time[answers[0]]]
-    if not (len(lacks) and len(sent)):
-        return set()
-    startup = obs.first_last[0][[subject, observer]].max() + LIMITS.startup_time
-    sent = sent[np.lexsort((obs.time[sent], obs.seq[sent]))]
-    number, time, frame = obs.seq[sent], obs.time[sent], obs["frame"][sent]
-    # Combine number and time into one sorted key, to find the last transmission before a request.
-    key = obs.end + 1.0
-    lacking = obs.seq[lacks] * key + obs.time[lacks] - delay
-    asked = np.searchsorted(number * key + time, lacking, side="right")
-    last = np.maximum(asked - 1, 0)
-    later = (asked > 0) & (number[last] == obs.seq[lacks])
-    waited = obs.time[lacks] - time[last] > _max_read_delay(obs.time[lacks], startup) + delay
-    # A hole is a loss, unless the sender is a server, which sends clients only what concerns them.
-    later &= waited | (obs["holes"][lacks] & ~obs.is_server[subject])
-    # Other samples of a request are lost if they are sent again.
-    asks = np.append(-np.inf, np.sort(obs.time[lacks]))
-    before = asks[np.searchsorted(asks, time[1:], side="right") - 1]
-    between = before - time[:-1] > _max_read_delay(time[1:], startup) + delay
-    between &= number[:-1] == number[1:]
-    return {*frame[last[later]].tolist(), *frame[:-1][between].tolist()}
-
-
-def _max_read_delay(time: Array, startup: float) -> Array:
-    """Return the maximum time until a sample is processed, by when it is requested [s]."""
-    return np.asarray(np.where(time > startup, LIMITS.max_read_delay, LIMITS.startup_read_delay))
-
-
-def frame_loss(evidence: Evidence) -> Iterator[Finding]:
-    """Report that frames are lost, and an estimate of their share."""
-    *both, ends, total, when = find_losses(evidence)
-    limits = zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True)
-    counts = [(*count, *limit) for count, limit in limits if count[0] >= limit[0]]
-    if not any(_wilson_ci(lost, sent)[0] >= some for lost, sent, _, some, _ in counts):
-        return
-    heavy = any(lost > many * sent for lost, sent, *_, many in counts)
-    again, sent = np.sum(both, axis=0).tolist()
-    share, low, high = (wording.percent(one) for one in (again / sent, *_wilson_ci(again, sent)))
-    text = say("loss", when.min(), when.max(), again, sent, share, low, high)
-    ((host, most),) = ends.most_common(1)
-    if len(ends) > 2 and most >= LIMITS.min_share_of_one_host * again:
-        text += f"; {wording.percent(most / again)} of the repeated ones were from or to {host}"
-        # A server, or the host that recorded, has a part in all frames; an outage loses few.
-        apart = total[host] < LIMITS.min_share_of_one_host * sent and most >= LIMITS.min_repeats
-        own, full = most / total[host], evidence.channel_use >= LIMITS.max_channel_use
-        if apart and own >= LIMITS.min_weak_share and not full:
-            text += f", about {wording.percent(own)} of its {total[host]:,} frames"
-            yield Finding("weak link", (host,), text)
-            return
-    # Little loss is normal on Wi-Fi, unless it delays discovery.
-    normal = _wilson_ci(again, sent)[0] <= LIMITS.max_healthy_loss
-    normal &= not [*evidence.incomplete_pairs, *multicast_loss(evidence)]
-    yield Finding("heavy loss" if heavy else "some loss" if normal else "loss", (), text)
-
-
-def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
-    """Report that processes answered later announcements of others, but not the first ones."""
-    obs, late = evidence.obs, list[str]()
-    announced = obs.isin("kind", "SPDP") & obs["multicast"]
-    for pair in evidence.expected_pairs:
-        ends, met = [*pair.processes], pair.first_contact
-        begin = obs.first_last[0][ends].max()
-        if begin + LIMITS.min_wait < met < np.inf and not {*ends} & evidence.early_processes:
-            calls = obs.time[announced & (obs.sender_index == pair.subject)]
-            if ((calls > begin) & (calls < met - LIMITS.max_transit)).any():
-                heard = " heard ".join(obs.process_host[ends[::-1]])
-                late.append(f"{heard} after {met - begin:.1f} s")
-    if len(late) >= LIMITS.min_calls:
-        yield Finding("multicast lossy", (), f"announcements came late: {join_names(late)}")
-
-
-def _wilson_ci(count: int, total: int) -> tuple[float, float]:
-    """Return the Wilson interval of a share, with 95% confidence."""
-    share, z = count / total, 1.96
-    middle, norm = share + z**2 / (2 * total), 1 + z**2 / total
-    half = z * (share * (1 - share) / total + (z / (2 * total)) ** 2) ** 0.5
-    return (middle - half) / norm, (middle + half) / norm
 
 
 def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
