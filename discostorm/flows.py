@@ -41,7 +41,7 @@ class Flow:
         object.__setattr__(self, "reliable", _checks.boolean("reliable", self.reliable))
         if self.reliable and self.to == "multicast":
             raise ValueError(
-                "reliable must be False with multicast, as its answers are not counted; got True. "
+                "reliable must be false with multicast, as we do not count its answers; got true. "
                 "Use 'all others' for one unicast copy per host"
             )
 

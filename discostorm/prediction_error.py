@@ -77,7 +77,7 @@ class ErrorBand:
         where = {1.0: "within these sizes", 2.0: "of up to twice these sizes"}.get(
             self.up_to, f"with up to {self.most_endpoints:.0f} times the endpoints"
         )
-        inside = f"We expect {self.coverage or 0:.0%} of such swarms in this range"
+        inside = f"We expect {self.coverage or 0:.0%} of such swarms to be in this range"
         more = inside if self.coverage else "From so few swarms, we derive no interval"
         kept = self.points - 2 * points_outside_interval(self.points)
         part_of = "" if kept == self.points else f"{kept} of "

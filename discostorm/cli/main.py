@@ -122,7 +122,7 @@ def _refuse_repeated_options(ctx: click.Context, args: list[str]) -> None:
 )
 @click.version_option(ds.__version__, message="%(prog)s %(version)s")
 def main() -> None:
-    """Compute the Wi-Fi airtime that ROS 2 discovery needs, and what reduces it.
+    """Compute the Wi-Fi airtime that ROS 2 discovery needs, and show what reduces it.
 
     Utilization is airtime per second. At 1, or 100%, the channel carries nothing else. At 2,
     discovery needs two seconds of airtime in one second, so it does not fit.

@@ -220,7 +220,7 @@ def test_the_caution_for_cyclone_dds_tells_what_was_measured() -> None:
     told = simulation_caution(ds.PROTOCOLS["Cyclone DDS"])
     assert told.startswith(f"Cyclone DDS 0.10.5 took {min(ratios):.1f} to {max(ratios):.1f} times")
     done = f"{float(late['known']):.0%} of discovery after {float(late['seconds']):.0f} s"
-    assert told.endswith(f"where {late['hosts']} robots had done only {done}")
+    assert told.endswith(f"where a fleet of {late['hosts']} robots had completed only {done}")
     (row,) = (
         row
         for row in read_data("measured/air_ratios.csv", "discostorm_planner")

@@ -151,7 +151,7 @@ def test_few_swarms_give_no_interval() -> None:
     assert most.sentence().startswith("In 37 of 39 swarms within these sizes that ")
     many = prediction_error.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)
     assert many.coverage == pytest.approx(0.9)
-    assert "We expect 90% of such swarms in this range; " in many.sentence()
+    assert "We expect 90% of such swarms to be in this range; " in many.sentence()
     assert "expect errors of up to a factor of 2" in many.sentence()
 
 

@@ -61,7 +61,7 @@ def test_simulate_tells_the_drain_time_where_recovery_is_not_modeled() -> None:
     assert told.exit_code == 0
     drain = wording.duration(float(drain_times.drain_time(table, ds.Fleet.from_toml("fleet.toml"))))
     assert told.stdout.startswith(f"Drain time: startup keeps the channel busy for {drain} if")
-    assert f"Note: recovery is not simulated with {table.name}" in told.stderr
+    assert f"Note: We do not simulate recovery with {table.name}" in told.stderr
     assert told.stdout.count("not simulated") == 2
     assert read_json(run(command, "--json"))["settings"]["recovery"] is False
     assert {row["convergence_time_s"] for row in read_csv(run(command, "--csv"))} == {""}

@@ -101,7 +101,7 @@ def test_recovery_that_is_not_simulated_beside_others_is_told() -> None:
     served = "Fast DDS Discovery Server, on a robot"
     done = run(*words, "--protocol", "fastdds", "--protocol", served)
     assert done.exit_code == 0
-    assert f"Note: recovery is not simulated with {served}" in done.stderr
+    assert f"Note: We do not simulate recovery with {served}" in done.stderr
     assert served in done.stdout
     assert done.stdout.count("not simulated") == 1
     alone = run(*words, "--protocol", served)

@@ -336,7 +336,7 @@ def test_commands_simulate_data_without_recovery() -> None:
         said = " ".join(
             run("simulate", "-", "--runs", "2", "--until", "3", *options, text=text).split()
         )
-        assert "with your data, and over after" in said
+        assert "with your data, and ends after" in said
         assert "Data until the end of the run (medians of the runs):" in said
 
 

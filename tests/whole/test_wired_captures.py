@@ -152,7 +152,7 @@ def test_the_command_line_names_who_is_wired() -> None:
     shown = run()
     assert "hosts: 3 with 2 processes of 10 endpoints each\n" in shown
     assert f"Note: We count {SERVER} as wired, because only servers or routers" in shown
-    assert "seen from" not in shown
+    assert "only unicast from" not in shown
     assert "endpoints each, wired" in run("--wired", SERVER, "--wired", "10.77.0.3")
     told = json.loads(run("--json"))
     assert told["wired"] == [SERVER]

@@ -726,6 +726,10 @@
     return item;
   }
 
+  /** Today's time; how far it got only beside a change that never ends, either. */
+  const beforeWords = (today, { time }) =>
+    !today ? "not simulated" : today.median === Infinity && time?.median < Infinity ? "never" : DiscoveryTimes.timeWords(today);
+
   /** The changes in the order of advice, those that are not simulated yet, and how sure all is. */
   function showChanges({ settings, front, changes }, found) {
     const { within, swarm, start, secure } = settings;
@@ -733,10 +737,9 @@
     const fewer = found?.fewer && fewerWords(settings, found.fewer);
     const { caution, ratios } = front.protocol;
     const advice = DiscoveryTimes.advice({ today, changes: done, within, caution, ratios, fewer });
-    const before = !today ? "not simulated" : today.median === Infinity ? "never" : DiscoveryTimes.timeWords(today);
     if (!left.length && items.size > 200) items.clear();
     const said = today?.lost > MODEL.discovery.few_lost ? caution : "";
-    const rows = (some) => some.map((change) => changeItem(change, before, within, said));
+    const rows = (some) => some.map((change) => changeItem(change, beforeWords(today, change), within, said));
     const none = swarm.N_H + swarm.N_H1 === 1 || secure;
     const other = start === REBOOT && !none ? DiscoveryTimes.say("other start") : "";
     // Until all is simulated, what comes first is not known.

@@ -135,7 +135,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
     const least = high.endsWith(SPACE + unit) ? number : low;
     if (low !== high) text += time.interval[1] === Infinity ? ` (${low} or more)` : ` (${least} to ${high})`;
     if (time.isLowerBound) return `at least ${text}, with ${share(time.lost)} of the messages lost`;
-    return time.repaired ? text : `${text}, as nothing was lost`;
+    return time.repaired ? text : `${text}, with nothing lost`;
   }
 
   /** The runs that `nine` counts: all, if there are fewer than ten. */
@@ -263,11 +263,12 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
     const sure = [say("sure", { runs: told, until }), ...(interval ? [say("ranges", { interval })] : []), say(cells > 1 ? "assumed of cells" : "assumed")];
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol: inWords(protocol), hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
-    if (today?.median < Infinity) sure.push(say(ratios.measured ? "air" : "not compared", ratios));
+    const named = (of) => ({ ...of, measured: inWords(of.measured) });
+    if (today?.median < Infinity) sure.push(say(ratios.measured ? "air" : "not compared", named(ratios)));
     const longer = today?.median < Infinity && ratios.measured && today.median > Number(ratios.seconds);
     const known = { today, changes, within, caution, ratios };
     const shown = sufficient(known).length ? sufficient(known) : helpful(known);
-    if (shown.some((change) => change.ratios === server)) sure.push(say(server.measured ? "air" : "server not compared", server));
+    if (shown.some((change) => change.ratios === server)) sure.push(say(server.measured ? "air" : "server not compared", named(server)));
     if (longer) sure.push(say("watched", ratios));
     for (const { name, ...ends } of rounded) {
       const [mean, whole] = [ends.mean.toFixed(1), ends.whole.toFixed(1)];

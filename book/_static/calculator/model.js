@@ -278,12 +278,12 @@ const s219 = "Fast DDS 3.6 Discovery Server";
 const s220 = "Fast DDS 3.6 Discovery Server, two";
 const s221 = "switching to Fast DDS 3.6";
 const s222 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
-const s223 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in an emulated Wi-Fi cell without frame aggregation, where 8 robots had done only 19% of discovery after 12 s";
+const s223 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in an emulated Wi-Fi cell without frame aggregation, where a fleet of 8 robots had completed only 19% of discovery after 12 s";
 const s224 = {"measured": "Cyclone DDS", "range": "0.08 to 6.76", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
 const s225 = "--ds-product-cyclone-dds";
 const s226 = [
-[1, 1.67, 11.3, "In 24 swarms within these sizes that we left out of the fit, discovery took 0.68 to 1.26 times the predicted airtime (typical error 9%). We expect 92% of such swarms in this range"],
-[2, 1.67, 11.3, "In 9 swarms of up to twice these sizes that we left out of the fit, discovery took 0.94 to 1.44 times the predicted airtime (typical error 16%). We expect 80% of such swarms in this range"],
+[1, 1.67, 11.3, "In 24 swarms within these sizes that we left out of the fit, discovery took 0.68 to 1.26 times the predicted airtime (typical error 9%). We expect 92% of such swarms to be in this range"],
+[2, 1.67, 11.3, "In 9 swarms of up to twice these sizes that we left out of the fit, discovery took 0.94 to 1.44 times the predicted airtime (typical error 16%). We expect 80% of such swarms to be in this range"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 1.31 to 1.47 times the predicted airtime (typical error 39%). From so few swarms, we derive no interval"],
 ];
 const s227 = {"until": [s165, [10, "slow at best"], s166], "never": s167};
@@ -334,7 +334,7 @@ const s271 = "the server forwards everything, as in Fast DDS 3.6";
 const s272 = "Cyclone DDS, wired";
 const s273 = "moving to ROS 2 Jazzy (Cyclone DDS)";
 const s274 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
-const s275 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.95 to 1.13 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
+const s275 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.95 to 1.13 times the predicted airtime (typical error 5%). We expect 75% of such swarms to be in this range"]];
 const s276 = [s171, s175, s173, s232, s234];
 const s277 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s236];
 const s278 = 493.08762420957544;
@@ -359,8 +359,8 @@ const s296 = 232.6802973977695;
 const s297 = 226.06745510293473;
 const s298 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
 const s299 = [
-[1, 1.67, 11.3, "In 26 swarms within these sizes that we left out of the fit, discovery took 0.72 to 1.32 times the predicted airtime (typical error 9%). We expect 93% of such swarms in this range"],
-[2, 1.67, 11.3, "In 11 swarms of up to twice these sizes that we left out of the fit, discovery took 1.00 to 1.43 times the predicted airtime (typical error 22%). We expect 83% of such swarms in this range"],
+[1, 1.67, 11.3, "In 26 swarms within these sizes that we left out of the fit, discovery took 0.72 to 1.32 times the predicted airtime (typical error 9%). We expect 93% of such swarms to be in this range"],
+[2, 1.67, 11.3, "In 11 swarms of up to twice these sizes that we left out of the fit, discovery took 1.00 to 1.43 times the predicted airtime (typical error 22%). We expect 83% of such swarms to be in this range"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 1.28 to 1.48 times the predicted airtime (typical error 38%). From so few swarms, we derive no interval"],
 ];
 const s300 = 432.2946357085669;
@@ -374,9 +374,9 @@ const s307 = 132.5107047976246;
 const s308 = 204.12578616352204;
 const s309 = 133.94982078853047;
 const s310 = 167.8055937643283;
-const s311 = "switching to Cyclone DDS, version 11";
+const s311 = "switching to Cyclone DDS 11";
 const s312 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
-const s313 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.94 to 1.33 times the predicted airtime (typical error 5%). We expect 75% of such swarms in this range"]];
+const s313 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.94 to 1.33 times the predicted airtime (typical error 5%). We expect 75% of such swarms to be in this range"]];
 const s314 = {"count": "count11", "more": ["more31", "more32", "more2"]};
 const s315 = [s314, s314, s314];
 const s316 = {"count": "count12", "more": ["more33", "more34", "more35"]};
@@ -399,7 +399,7 @@ const s332 = 185.2367491166078;
 const s333 = 147.20074005550418;
 const s334 = 166.51716247139586;
 const s335 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
-const s336 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.91 to 1.10 times the predicted airtime (typical error 8%). We expect 75% of such swarms in this range"]];
+const s336 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.91 to 1.10 times the predicted airtime (typical error 8%). We expect 75% of such swarms to be in this range"]];
 const s337 = 492.4140969162995;
 const s338 = 1040.4988009592325;
 const s339 = 965.8901890189019;
@@ -426,7 +426,7 @@ const s359 = "middleware and multicast endpoint data";
 const s360 = "one server, wired to the access point (measured with 2.9.1)";
 const s361 = {"measured": s149, "range": "0.72 to 1.63", "hosts": "12", "seconds": "15", "low": "0.72", "high": "1.63"};
 const s362 = "--ds-product-fast-dds";
-const s363 = [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 1.00 to 1.10 times the predicted airtime (typical error 4%). We expect 71% of such swarms in this range"]];
+const s363 = [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 1.00 to 1.10 times the predicted airtime (typical error 4%). We expect 71% of such swarms to be in this range"]];
 const s364 = {"until": [s165, [20, "slow at best"], s166], "never": s167};
 const s365 = {"second": 1, "lease": 20, "ever": Infinity};
 const s366 = {"count": "count13", "more": ["more36", "more37", "more38"]};
@@ -503,7 +503,7 @@ s407,
 ];
 const s409 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
 const s410 = {"measured": "Fast DDS", "range": "0.97 to 2.03", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
-const s411 = [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 1.00 to 1.05 times the predicted airtime (typical error 2%). We expect 71% of such swarms in this range"]];
+const s411 = [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 1.00 to 1.05 times the predicted airtime (typical error 2%). We expect 71% of such swarms to be in this range"]];
 const s412 = [
 [s373, "unicast", 636, 1, 0, 2, "up", s375],
 [s376, "unicast", 700, 1, 0, 2, "down", s377],
@@ -542,7 +542,7 @@ const s417 = "moving to ROS 2 Humble (Fast DDS 2.6)";
 const s418 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
 const s419 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
 const s420 = [
-[1, 1.67, 11.3, "In 11 swarms within these sizes that we left out of the fit, discovery took 0.91 to 1.04 times the predicted airtime (typical error 3%). We expect 83% of such swarms in this range"],
+[1, 1.67, 11.3, "In 11 swarms within these sizes that we left out of the fit, discovery took 0.91 to 1.04 times the predicted airtime (typical error 3%). We expect 83% of such swarms to be in this range"],
 [2, 1.67, 11.3, "In 2 swarms of up to twice these sizes that we left out of the fit, discovery took 0.95 to 1.22 times the predicted airtime (typical error 13%). From so few swarms, we derive no interval"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 2.06 to 2.29 times the predicted airtime (typical error 118%). From so few swarms, we derive no interval"],
 ];
@@ -559,12 +559,12 @@ const s430 = 852.6666666666666;
 const s431 = "Heartbeat for others";
 const s432 = "ACKNACK of data";
 const s433 = "switching to Cyclone DDS";
-const s434 = [[1, 1, 1, "In 19 swarms within these sizes that we left out of the fit, discovery took 0.86 to 1.68 times the predicted airtime (typical error 14%). We expect 90% of such swarms in this range"]];
+const s434 = [[1, 1, 1, "In 19 swarms within these sizes that we left out of the fit, discovery took 0.86 to 1.68 times the predicted airtime (typical error 14%). We expect 90% of such swarms to be in this range"]];
 const s435 = 773.5594083028471;
 const s436 = "ROS discovery info";
 const s437 = "ROS Heartbeat for others";
 const s438 = "ROS ACKNACK for others";
-const s439 = [[1, 1, 1, "In 16 swarms within these sizes that we left out of the fit, discovery took 0.89 to 1.17 times the predicted airtime (typical error 5%). We expect 88% of such swarms in this range"]];
+const s439 = [[1, 1, 1, "In 16 swarms within these sizes that we left out of the fit, discovery took 0.89 to 1.17 times the predicted airtime (typical error 5%). We expect 88% of such swarms to be in this range"]];
 const s440 = [s171, s175, s173, s234, s232];
 const s441 = 1014.7323568575234;
 const s442 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
@@ -577,7 +577,7 @@ const s448 = ["announcements", s211, "", "Fast DDS 3.6, a longer announcement in
 const s449 = ["release", s417, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
 const s450 = ["release", s418, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
 const s451 = ["middleware", s215, "", s179, "Fast DDS 3.6", "middleware"];
-const s452 = [[1, 1, 1, "In 64 of 68 swarms within these sizes that we left out of the fit, discovery took 0.90 to 1.57 times the predicted airtime (typical error 6%). We expect 91% of such swarms in this range"]];
+const s452 = [[1, 1, 1, "In 64 of 68 swarms within these sizes that we left out of the fit, discovery took 0.90 to 1.57 times the predicted airtime (typical error 6%). We expect 91% of such swarms to be in this range"]];
 const s453 = [s171, s175, s173, s234, [s233, s233, s233], s232];
 const s454 = 896.8584995251663;
 const s455 = 189.68085535606212;
@@ -610,7 +610,7 @@ const s481 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
 const s482 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
 const s483 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s482];
 const s484 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-const s485 = [[1, 1, 1, "In 10 swarms within these sizes that we left out of the fit, discovery took 0.95 to 1.31 times the predicted airtime (typical error 5%). We expect 82% of such swarms in this range"]];
+const s485 = [[1, 1, 1, "In 10 swarms within these sizes that we left out of the fit, discovery took 0.95 to 1.31 times the predicted airtime (typical error 5%). We expect 82% of such swarms to be in this range"]];
 const s486 = [s369, s369, s369];
 const s487 = {"count": "count26", "more": ["more59", "more60"]};
 const s488 = {"count": "count27", "more": ["more61", "more62", "more63"]};
@@ -624,7 +624,7 @@ const s495 = "Listed unicast at discovery";
 const s496 = "Listed unicast for others";
 const s497 = "Listed unicast of endpoints";
 const s498 = "peers, each linked with each other (measured with 1.10.2)";
-const s499 = [[1, 1, 1, "In 10 swarms within these sizes that we left out of the fit, discovery took 0.86 to 1.12 times the predicted airtime (typical error 8%). We expect 82% of such swarms in this range"]];
+const s499 = [[1, 1, 1, "In 10 swarms within these sizes that we left out of the fit, discovery took 0.86 to 1.12 times the predicted airtime (typical error 8%). We expect 82% of such swarms to be in this range"]];
 const s500 = [s172, {"count": "count28", "more": ["more64", "more65", "more66"]}, s233];
 const s501 = [s171, s175, s232, s173, s500, s234];
 const s502 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s481];
@@ -646,7 +646,7 @@ const s517 = "TCP ACK at start";
 const s518 = "TCP ACK of endpoints";
 const s519 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
 const s520 = [
-[1, 1.67, 11.3, "In 12 swarms within these sizes that we left out of the fit, discovery took 0.90 to 1.41 times the predicted airtime (typical error 6%). We expect 85% of such swarms in this range"],
+[1, 1.67, 11.3, "In 12 swarms within these sizes that we left out of the fit, discovery took 0.90 to 1.41 times the predicted airtime (typical error 6%). We expect 85% of such swarms to be in this range"],
 [2, 1.67, 11.3, "In 4 swarms of up to twice these sizes that we left out of the fit, discovery took 0.99 to 1.02 times the predicted airtime (typical error 1%). From so few swarms, we derive no interval"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 0.93 to 1.15 times the predicted airtime (typical error 11%). From so few swarms, we derive no interval"],
 ];
@@ -1317,7 +1317,7 @@ return {
 "whole burst": "We assign the whole startup burst to {window}, and count periodic traffic at its average rate. The result is an upper bound.",
 "standard timing": "For other radios, we use the timing of the 802.11 standard. With it, the airtime of your unchanged fleet is {airtime}.",
 "nothing to write": "Your startup already works, so nothing needs changing, and we wrote no files. To write the configuration of a change all the same, name it: --paste NAME.",
-"nothing written": "--write: no configuration change is surely enough, so we wrote no files. See what helps without --write, then name a change: --paste NAME",
+"nothing written": "--write: we are not sure that any configuration change is enough, so we wrote no files. See what helps without --write, then name a change: --paste NAME",
 },
 "alone": "A single host has no one to discover, and no other host receives its messages.",
 "security": ["DDS Security (SROS2) is not counted.", "In startups that we captured, it multiplied airtime by 1.6 to 5.7 with Fast DDS and 2.1 to 2.8 with Cyclone DDS. Keep it on your robots, but plan without it, and with a shorter target: in place of 60 s, within = 10 with Fast DDS or 21 with Cyclone DDS."],
@@ -1393,14 +1393,10 @@ return {
 "None": null,
 },
 },
-"middleware and multicast endpoint data": {"steps": ["middleware", s107], "of": {"DDS": {"efforts": s108, "effort": 8, "takes": s109, "best_case": false, "cost": "all hosts must change together; multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later"}, "Zenoh": null, "None": null}},
+"middleware and multicast endpoint data": {"steps": ["middleware", s107], "of": {"DDS": {"efforts": s108, "effort": 8, "takes": s109, "best_case": false, "cost": "all hosts must change together; multicast uses the basic rate and has no acknowledgments, so lost announcements are noticed late"}, "Zenoh": null, "None": null}},
 "middleware and multicast endpoint data and staggered start": {
 "steps": ["middleware", s107, s77],
-"of": {
-"DDS": {"efforts": s110, "effort": 8, "takes": s111, "best_case": false, "cost": "all hosts must change together; multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later; discovery cannot be complete before the last host starts"},
-"Zenoh": null,
-"None": null,
-},
+"of": {"DDS": {"efforts": s110, "effort": 8, "takes": s111, "best_case": false, "cost": "all hosts must change together; multicast uses the basic rate and has no acknowledgments, so lost announcements are noticed late; discovery cannot be complete before the last host starts"}, "Zenoh": null, "None": null},
 },
 "middleware and peers": {
 "steps": ["middleware", "peers"],
@@ -1497,8 +1493,8 @@ return {
 "None": null,
 },
 },
-"multicast endpoint data": {"steps": [s107], "of": {"DDS": {"efforts": ["file"], "effort": 2, "takes": s90, "best_case": false, "cost": "multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later"}, "Zenoh": null, "None": null}},
-"multicast endpoint data and staggered start": {"steps": [s107, s77], "of": {"DDS": {"efforts": s91, "effort": 2, "takes": s92, "best_case": false, "cost": "multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later; discovery cannot be complete before the last host starts"}, "Zenoh": null, "None": null}},
+"multicast endpoint data": {"steps": [s107], "of": {"DDS": {"efforts": ["file"], "effort": 2, "takes": s90, "best_case": false, "cost": "multicast uses the basic rate and has no acknowledgments, so lost announcements are noticed late"}, "Zenoh": null, "None": null}},
+"multicast endpoint data and staggered start": {"steps": [s107, s77], "of": {"DDS": {"efforts": s91, "effort": 2, "takes": s92, "best_case": false, "cost": "multicast uses the basic rate and has no acknowledgments, so lost announcements are noticed late; discovery cannot be complete before the last host starts"}, "Zenoh": null, "None": null}},
 "multicast rate": {"steps": [s14], "of": {"DDS": s123, "Zenoh": s123, "None": s123}},
 "multicast rate and staggered start": {"steps": [s14, s77], "of": {"DDS": s124, "Zenoh": s124, "None": s124}},
 "peers": {
@@ -1638,7 +1634,7 @@ s143,
 {
 "where": s144,
 "version": "ROS 2 Jazzy",
-"text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: run in the\n# shell or put in the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\n# This names the file for every process, which comes with these lines. Without a router, peers warn\n# and go on. If there is a router, start it first: ros2 run rmw_zenoh_cpp rmw_zenohd\nexport ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n",
+"text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: run in the\n# shell or put in the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\n# The next line names the file for every process. Without a router, peers log a warning and\n# continue. If there is a router, start it first: ros2 run rmw_zenoh_cpp rmw_zenohd\nexport ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n",
 },
 ],
 "Zenoh peers": [
@@ -1672,7 +1668,7 @@ s143,
 {
 "where": s136,
 "version": s138,
-"text": "<!-- for every process (tested with Cyclone DDS 0.10.2 and 11.0.1) -->\n<!-- Load: save as /etc/cyclonedds.xml; every process runs with -->\n<!-- CYCLONEDDS_URI=file:///etc/cyclonedds.xml -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <AllowMulticast>false</AllowMulticast>\n    </General>\n    <Discovery>\n      <!-- Allow at least as many indices as a host has processes. -->\n      <ParticipantIndex>auto</ParticipantIndex>\n      <MaxAutoParticipantIndex>9</MaxAutoParticipantIndex>\n      <!-- Every host, this one included. -->\n      <Peers>\n        <Peer Address=\"192.168.1.21\"/>\n        <Peer Address=\"192.168.1.22\"/>\n        <Peer Address=\"192.168.1.23\"/>\n      </Peers>\n    </Discovery>\n  </Domain>\n</CycloneDDS>\n",
+"text": "<!-- for every process (tested with Cyclone DDS 0.10.2 and 11.0.1) -->\n<!-- Load: save as /etc/cyclonedds.xml; every process runs with -->\n<!-- CYCLONEDDS_URI=file:///etc/cyclonedds.xml -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <AllowMulticast>false</AllowMulticast>\n    </General>\n    <Discovery>\n      <!-- Allow at least as many indices as a host has processes. -->\n      <ParticipantIndex>auto</ParticipantIndex>\n      <MaxAutoParticipantIndex>9</MaxAutoParticipantIndex>\n      <!-- List every host, this one included. -->\n      <Peers>\n        <Peer Address=\"192.168.1.21\"/>\n        <Peer Address=\"192.168.1.22\"/>\n        <Peer Address=\"192.168.1.23\"/>\n      </Peers>\n    </Discovery>\n  </Domain>\n</CycloneDDS>\n",
 },
 ],
 "DDS": [
@@ -1686,7 +1682,7 @@ s143,
 {
 "where": "for every process, which connects to robots with lower addresses",
 "version": "Zenoh 1.10.2",
-"text": "// for every process, which connects to robots with lower addresses (tested with Zenoh 1.10.2)\n// Load: save as /etc/zenoh_session.json5; every ROS 2 process runs with\n// ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n// The first process of a host takes port 7447, and each further process another port. A process\n// that connects to a first process learns of the others from it: gossip.\n{\n  mode: \"peer\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\", \"tcp/0.0.0.0:0\"], exit_on_failure: false },\n  connect: {\n    endpoints: [\n      // This host. Its first process reaches itself here, logs an error and tries again later.\n      \"tcp/127.0.0.1:7447#retry_period_init_ms=60000;retry_period_max_ms=60000\",\n      // Only robots with lower addresses: a pair that is linked twice sends its KeepAlives twice.\n      \"tcp/192.168.1.21:7447\",\n      \"tcp/192.168.1.22:7447\",\n    ],\n  },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: {\n      target: [\"router\", \"peer\"],\n      autoconnect_strategy: { peer: { to_router: \"always\", to_peer: \"greater-zid\" } },\n    },\n  },\n  // These settings repeat those of rmw_zenoh's own file, which this file replaces.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 10000, // Zenoh's default: a KeepAlive every 2.5 s; rmw_zenoh sets 60000 and 2\n        keep_alive: 4,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
+"text": "// for every process, which connects to robots with lower addresses (tested with Zenoh 1.10.2)\n// Load: save as /etc/zenoh_session.json5; every ROS 2 process runs with\n// ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n// The first process of a host takes port 7447, and each further process another port. A process\n// that connects to a first process learns of the others from it: gossip.\n{\n  mode: \"peer\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\", \"tcp/0.0.0.0:0\"], exit_on_failure: false },\n  connect: {\n    endpoints: [\n      // This host. Its first process reaches itself here, logs an error and tries again later.\n      \"tcp/127.0.0.1:7447#retry_period_init_ms=60000;retry_period_max_ms=60000\",\n      // List only robots with lower addresses: a pair linked twice sends KeepAlives twice.\n      \"tcp/192.168.1.21:7447\",\n      \"tcp/192.168.1.22:7447\",\n    ],\n  },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: {\n      target: [\"router\", \"peer\"],\n      autoconnect_strategy: { peer: { to_router: \"always\", to_peer: \"greater-zid\" } },\n    },\n  },\n  // These settings repeat those of rmw_zenoh's own file, which this file replaces.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 10000, // Zenoh's default: a KeepAlive every 2.5 s; rmw_zenoh sets 60000 and 2\n        keep_alive: 4,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 },
 ],
 },
@@ -1743,7 +1739,7 @@ s145,
 {
 "where": "on every robot for its router, which connects to lower addresses",
 "version": "Zenoh 1.10.2",
-"text": "// on every robot for its router, which connects to lower addresses (tested with Zenoh 1.10.2)\n// Load: save as /etc/zenoh_router.json5; the router runs with\n// ZENOH_ROUTER_CONFIG_URI=/etc/zenoh_router.json5 (ros2 run rmw_zenoh_cpp rmw_zenohd)\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  // Only robots with lower addresses: a pair that is linked twice sends its KeepAlives twice.\n  connect: { endpoints: [\"tcp/192.168.1.21:7447\", \"tcp/192.168.1.22:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // These settings repeat those of rmw_zenoh's own file, which this file replaces.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
+"text": "// on every robot for its router, which connects to lower addresses (tested with Zenoh 1.10.2)\n// Load: save as /etc/zenoh_router.json5; the router runs with\n// ZENOH_ROUTER_CONFIG_URI=/etc/zenoh_router.json5 (ros2 run rmw_zenoh_cpp rmw_zenohd)\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  // List only robots with lower addresses: a pair linked twice sends KeepAlives twice.\n  connect: { endpoints: [\"tcp/192.168.1.21:7447\", \"tcp/192.168.1.22:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // These settings repeat those of rmw_zenoh's own file, which this file replaces.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 },
 s146,
 ],
@@ -1763,7 +1759,7 @@ s145,
 {
 "where": "on every robot for its router, which connects only to the wired one",
 "version": "Zenoh 1.10.2",
-"text": "// on every robot for its router, which connects only to the wired one (tested with Zenoh 1.10.2)\n// Load: save as /etc/zenoh_router.json5; the router runs with\n// ZENOH_ROUTER_CONFIG_URI=/etc/zenoh_router.json5 (ros2 run rmw_zenoh_cpp rmw_zenohd)\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  // Only the router that is wired to the access point, and no robot.\n  connect: { endpoints: [\"tcp/192.168.1.10:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // These settings repeat those of rmw_zenoh's own file, which this file replaces.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
+"text": "// on every robot for its router, which connects only to the wired one (tested with Zenoh 1.10.2)\n// Load: save as /etc/zenoh_router.json5; the router runs with\n// ZENOH_ROUTER_CONFIG_URI=/etc/zenoh_router.json5 (ros2 run rmw_zenoh_cpp rmw_zenohd)\n{\n  mode: \"router\",\n  listen: { endpoints: [\"tcp/0.0.0.0:7447\"] },\n  // List only the router that is wired to the access point, and no robot.\n  connect: { endpoints: [\"tcp/192.168.1.10:7447\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: { target: { router: [\"router\", \"peer\"], peer: [\"router\"] } },\n  },\n  routing: { router: { peers_failover_brokering: false } },\n  // These settings repeat those of rmw_zenoh's own file, which this file replaces.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 },
 s146,
 ],
@@ -1773,12 +1769,12 @@ s146,
 {
 "where": s136,
 "version": s137,
-"text": "<!-- for every process (tested with Fast DDS 2.6, 2.9, 2.14 and 3.6) -->\n<!-- Load: save as /etc/fast_dds.xml; every process that should read it runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE); in ROS 2 it matches nothing without -->\n<!-- RMW_FASTRTPS_USE_QOS_FROM_XML=1 -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"robot\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <EDP>STATIC</EDP>\n            <static_edp_xml_config>file:///etc/fast_dds_static_endpoints.xml</static_edp_xml_config>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n    <!-- One for each endpoint of this process, by the name of its topic. -->\n    <data_writer profile_name=\"/robot1/odom\">\n      <userDefinedID>1</userDefinedID>\n    </data_writer>\n  </profiles>\n</dds>\n",
+"text": "<!-- for every process (tested with Fast DDS 2.6, 2.9, 2.14 and 3.6) -->\n<!-- Load: save as /etc/fast_dds.xml; every process that should read it runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE); in ROS 2 it matches nothing without -->\n<!-- RMW_FASTRTPS_USE_QOS_FROM_XML=1 -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"robot\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <EDP>STATIC</EDP>\n            <static_edp_xml_config>file:///etc/fast_dds_static_endpoints.xml</static_edp_xml_config>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n    <!-- One topic for each endpoint of this process. -->\n    <data_writer profile_name=\"/robot1/odom\">\n      <userDefinedID>1</userDefinedID>\n    </data_writer>\n  </profiles>\n</dds>\n",
 },
 {
 "where": s140,
 "version": "Fast DDS 2.9, 2.14 and 3.6",
-"text": "<!-- on every robot (tested with Fast DDS 2.9, 2.14 and 3.6) -->\n<!-- Load: save as /etc/fast_dds_static_endpoints.xml, where the profile for every process -->\n<!-- looks for it; no environment variable of its own -->\n<staticdiscovery>\n  <!-- Every process, by the name of its participant (in ROS 2 its enclave), with all its\n       endpoints. Every endpoint has a number of its own. -->\n  <participant>\n    <name>/robot1</name>\n    <writer>\n      <userId>1</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </writer>\n  </participant>\n  <participant>\n    <name>/laptop</name>\n    <reader>\n      <userId>2</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </reader>\n  </participant>\n</staticdiscovery>\n",
+"text": "<!-- on every robot (tested with Fast DDS 2.9, 2.14 and 3.6) -->\n<!-- Load: save as /etc/fast_dds_static_endpoints.xml, where the profile for every process -->\n<!-- looks for it; it needs no environment variable -->\n<staticdiscovery>\n  <!-- Every process, by the name of its participant (in ROS 2 its enclave), with all its\n       endpoints. Every endpoint has a number of its own. -->\n  <participant>\n    <name>/robot1</name>\n    <writer>\n      <userId>1</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </writer>\n  </participant>\n  <participant>\n    <name>/laptop</name>\n    <reader>\n      <userId>2</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </reader>\n  </participant>\n</staticdiscovery>\n",
 },
 ],
 },
@@ -2073,7 +2069,7 @@ s163,
 ],
 },
 "about": s274,
-"caution": "Cyclone DDS in this form was not measured in an emulated Wi-Fi cell, where its form for Wi-Fi took up to 6.8 times as long as simulated",
+"caution": "Cyclone DDS as on a wired network was not measured in an emulated Wi-Fi cell, where Cyclone DDS as on Wi-Fi took up to 6.8 times as long as simulated",
 "ratios": s224,
 "server_ratios": s164,
 "has_server": false,
@@ -2400,7 +2396,7 @@ s257,
 "has_server": false,
 "color": s362,
 "measured": [8, 8, 10],
-"band": [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 0.97 to 1.16 times the predicted airtime (typical error 3%). We expect 71% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 0.97 to 1.16 times the predicted airtime (typical error 3%). We expect 71% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
@@ -2989,7 +2985,7 @@ s516,
 "has_server": true,
 "color": s529,
 "measured": [8, 12, 10],
-"band": [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.84 to 1.18 times the predicted airtime (typical error 10%). We expect 75% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.84 to 1.18 times the predicted airtime (typical error 10%). We expect 75% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -3063,7 +3059,7 @@ s548,
 "has_server": false,
 "color": s529,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 11 swarms within these sizes that we left out of the fit, discovery took 0.84 to 1.25 times the predicted airtime (typical error 2%). We expect 83% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 11 swarms within these sizes that we left out of the fit, discovery took 0.84 to 1.25 times the predicted airtime (typical error 2%). We expect 83% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -3124,7 +3120,7 @@ s548,
 "has_server": true,
 "color": s529,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 0.85 to 1.18 times the predicted airtime (typical error 15%). We expect 71% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 0.85 to 1.18 times the predicted airtime (typical error 15%). We expect 71% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,

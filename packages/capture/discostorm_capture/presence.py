@@ -121,7 +121,9 @@ class Presence:
         for (host, port), times in self.refusals.items():
             callers = [caller for time, caller in times if now - time <= LIMITS.recent]
             if len(callers) > 1:
-                text = f"{host} refuses port {port}, where {join_names(sorted({*callers}))} asked"
+                text = (
+                    f"{host} refuses packets to port {port} from {join_names(sorted({*callers}))}"
+                )
                 findings.append(Finding("refuses", (host,), text))
         for host, activity in self.hosts.items():
             answers = [answer for (of, _), answer in self.answers.items() if of == host]

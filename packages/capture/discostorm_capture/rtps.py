@@ -390,6 +390,6 @@ def _domains_from_ports(
     _, first = factorize(process, domain)
     different = np.unique(domain).tolist()
     if len(different) > 1:
-        which = f"domains of RTPS ({', '.join(map(str, different))}): only processes of the same "
-        notes[f"{which}one find each other, which the fleet does not know"] = len(different)
+        which = f"RTPS domains ({', '.join(map(str, different))}): processes discover each other "
+        notes[f"{which}only within one, but the fleet here counts all of them"] = len(different)
     return sorted(zip(process[first].tolist(), domain[first].tolist(), strict=True))

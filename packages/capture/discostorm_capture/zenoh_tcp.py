@@ -96,7 +96,9 @@ def find_batches(
         else:
             unread += end - at
     if unread:
-        notes["bytes of Zenoh streams next to gaps or to their ends"] += unread
+        notes[
+            "bytes of Zenoh streams could not be read, as they are next to gaps or at the ends"
+        ] += unread
     runs = content.gapless_runs
     if gaps := len(runs) - len({stream for _, _, stream, _ in runs}):
         notes[GAPS_NOTE] += gaps

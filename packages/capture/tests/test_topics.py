@@ -120,7 +120,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "server_crashes_again_and_again",
             "a process on 10.77.0.101 starts again and again",
-            "A server on 10.77.0.101 began again to number its participants from 1 after 9.5 s",
+            "A server on 10.77.0.101 started to number its participants from 1 again after 9.5 s",
             "Look at the log of the process that restarts on 10.77.0.101",
         ),
         (

@@ -107,7 +107,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "data_port_closed",
             "10.77.0.2 receives discovery messages but no data",
-            "confirmed none of",
+            "but none of the",
             "On 10.77.0.2, check `ufw status`",
         ),
         (
@@ -155,7 +155,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "one_client_lists_number_1",
             "10.77.0.3 asks for a different server number than the server has",
-            "with another id than the one that answers 10.77.0.1 and 10.77.0.2",
+            "whose id is not that of the server that answers 10.77.0.1 and 10.77.0.2",
             "In ROS_DISCOVERY_SERVER on 10.77.0.3, put the server's address at the position",
         ),
         (
@@ -246,7 +246,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "two_processes_one_id",
             "two processes on 10.77.0.2 use the same id, so others take them for one process",
-            "others send to the one known process there at 2 ports",
+            "others know only one process there, but send to it at 2 ports",
             "or the copied `prefix` from the Fast DDS profile",
         ),
         (

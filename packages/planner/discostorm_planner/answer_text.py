@@ -249,21 +249,21 @@ def _first_of_each_kind(changes: Iterable[SimulatedChange]) -> Iterator[Simulate
 def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterator[str]:
     """Yield a paragraph for each change: what, before and after, effort, cost, configuration."""
     today = plan.discovery.today
-    before = "never" if today and math.isinf(today.median) else describe_time(today)
     for number, change in enumerate(changes, first):
-        remedy = change.remedy
+        remedy, time = change.remedy, change.time
+        ends = today and math.isinf(today.median) and time and math.isfinite(time.median)
         line = fill(
             "change",
             number=number,
             what=wording.capitalized(describe_change(change)),
-            before=before,
+            before="never" if ends else describe_time(today),
             after=time_after(change),
             effort=remedy_rules.describe_efforts(remedy.efforts),
             cost=_main_trade_offs(remedy, number == 1),
         )
         name = f"'{change.name}'" if " " in change.name else change.name
         line += fill("paste", name=name) * bool(remedy.snippets)
-        time, said = change.time, change.is_cautious and change.caution == plan.discovery.caution
+        said = change.is_cautious and change.caution == plan.discovery.caution
         if time and time.works(plan.within) and not (said or change.suffices(plan.within)):
             slow = _time_text(change.slowest * time.nine_of_ten_unexpired)
             key = "doubtful" if change.is_cautious else "perhaps"
@@ -392,7 +392,8 @@ def _certainty_lines(plan: Plan, all_changes: bool) -> list[str]:
         if any(remedy_rules.uses_server_of(c.remedy.protocol, table) for c in listed):
             own = remedy_rules.time_ratios(table, with_server=True)
             measured.append(("server not compared", own))
-        sure += {fill("air" if r["measured"] else key, **r): 0 for key, r in measured}
+        named = [(key, row | {"measured": phrase(row["measured"])}) for key, row in measured]
+        sure += {fill("air" if row["measured"] else key, **row): 0 for key, row in named}
         if known and today and 0 < float(ratios["seconds"]) < today.median:
             sure.append(fill("watched", seconds=ratios["seconds"]))
         lines.append(" ".join(sure))
@@ -437,7 +438,7 @@ def describe_time(time: DiscoveryTime | None) -> str:
         text += f" ({low} or more)" if late else f" ({least} to {high})"
     if time.is_lower_bound:
         return f"at least {text}, with {format_share(time.lost)} of the messages lost"
-    return text if time.repaired else f"{text}, as nothing was lost"
+    return text if time.repaired else f"{text}, with nothing lost"
 
 
 def _time_text(time: float) -> str:

@@ -55,8 +55,8 @@ def _launch_file_texts(fleet: Fleet, text: str) -> Iterator[str]:
             head = (
                 f"# {name}: {wording.count_noun(group.hosts, 'host')} with {group.processes:,.10g} "
                 f"processes, of {group.endpoints:.3g} endpoints on average\n"
-                "# Fill in PACKAGE, PLUGIN and NAME of each node, and leave out lines that are too "
-                "many; `ros2 component types` lists packages and plugins\n"
+                "# Fill in PACKAGE, PLUGIN and NAME of each node, and delete surplus lines; "
+                "`ros2 component types` lists packages and plugins\n"
             )
             yield head + _SAMPLE_NODES.sub("".join(lines), text)
 

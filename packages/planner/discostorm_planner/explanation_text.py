@@ -45,7 +45,7 @@ def format_explanation(plan: Plan, width: int) -> str:
             lines += [f"{number:2}. {wording.capitalized(what)}.", f"    {remedy.caution()}"]
     lines += ["", "The same fleet with each measured configuration:"]
     rests_on = [f"- {line}" for line in _basis_lines(plan)]
-    basis = ["", "What this rests on:", *rests_on] * bool(rests_on)
+    basis = ["", "What these numbers rest on:", *rests_on] * bool(rests_on)
     rest = len(plan.remedies) + len(plan.combinations) - number
     basis += [
         "",

@@ -159,6 +159,7 @@ def _middleware_changes(protocol: Protocol, ros: str) -> Iterator[Change]:
         comparable = _comparable_basis(table) == _comparable_basis(protocol)
         if comparable and not skipped and not rules.same_table(table, protocol):
             name = table.name.replace(", periods of ", " with the timers of ")
+            name = name.replace(", version ", " ")
             yield Change("middleware", f"switching to {name}", "table", table=table)
 
 

@@ -215,7 +215,7 @@ def test_commands_have_both_ends(command: str) -> None:
                 assert row[key] == ds.utilization(table, fleet, wifi=wifi)
             else:
                 assert row[key] == ds.saturation_hosts(table, fleet=fleet, wifi=wifi)
-    assert "This radio aggregates" in run(command, *hosts, *swarm, "--wifi", AC.name).stdout
+    assert "This radio aggregates frames" in run(command, *hosts, *swarm, "--wifi", AC.name).stdout
     paper = run(command, *hosts, *swarm)
     assert "aggregates" not in paper.stdout
     assert "A-MPDU" not in paper.stdout

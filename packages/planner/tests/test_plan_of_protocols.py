@@ -280,7 +280,7 @@ def test_whoever_switches_gets_the_release_of_the_distribution() -> None:
         assert table is not None
         assert (ds.utilization(table, fleet) > filtering) == forwards
     assert "switching to Cyclone DDS" in changes("Fast DDS 2.14")
-    assert "switching to Cyclone DDS, version 11" in changes("Fast DDS 3.6")
+    assert "switching to Cyclone DDS 11" in changes("Fast DDS 3.6")
     assert "switching to Cyclone DDS" in changes("Fast DDS 3.6", "kilted")
 
 

@@ -104,7 +104,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
 def test_advice_names_what_is_composed_and_its_lines_are_short() -> None:
     assert str(PLAN_OF_FIG3) == PLAN_OF_FIG3.advice()
     for width in (40, 79):
-        table, *_ = PLAN_OF_FIG3.why(width).split("What this rests on")
+        table, *_ = PLAN_OF_FIG3.why(width).split("What these numbers rest on")
         assert max(map(len, table.splitlines())) <= width
     sentences = [found.sentence() for found in ds.plan(NAV2, ds.ZENOH).remedies]
     assert any("changes the airtime by less than 0.5%" in sentence for sentence in sentences)

@@ -80,7 +80,7 @@ def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds
     lost = wording.percent_range(found.lost.min(), found.lost.max())
     return (
         f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then some "
-        f"robots do not see each other. Here {lost} of the frames are lost and not resent. "
+        f"robots do not see each other. Here {lost} of the frames are lost and not sent again. "
         "With recovery, startup takes longer."
     )
 
@@ -88,10 +88,10 @@ def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds
 def compare_drain_times(with_data: ds.Simulation, without_data: ds.Simulation) -> str:
     """Compare the duration of the startup burst with and without user data."""
     longer, usual = (
-        f"over after {wording.duration(taken)}" if taken < float("inf") else "not over by the end"
+        f"ends after {wording.duration(taken)}" if taken < float("inf") else "does not end"
         for taken in (median(one.drain_time.tolist()) for one in (with_data, without_data))
     )
-    return f" The simulated startup burst is {longer} with your data, and {usual} without them."
+    return f" The simulated startup burst {longer} with your data, and {usual} without them."
 
 
 def _number_option(name: str, default: float, text: str, unit: str | None = None) -> Any:
@@ -178,7 +178,9 @@ def simulate(
                 alone[protocol.name] = results[1]
     if refused:
         text, why = wording.join_words(list(refused)), next(iter(refused.values()))
-        click.echo(out.visible(f"Note: recovery is not simulated with {text}: {why}."), err=True)
+        click.echo(
+            out.visible(f"Note: We do not simulate recovery with {text}, because {why}."), err=True
+        )
     if output.as_json:
         beside = {name: {"without_data": one.to_dict()} for name, one in alone.items()}
         answers = [one.to_dict() | beside.get(name, {}) for name, one in found.items()]

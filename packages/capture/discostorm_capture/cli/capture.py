@@ -133,13 +133,15 @@ def capture(
             sizes = *row[["messages", "bytes", "airtime_s"]], cli_output.percent(row["of_time"])
             click.echo(say("totals", wording.capitalized(str(name)), *sizes, captured.duration))
         for name, time in seconds.items():
-            click.echo(f"The table compares {time:.1f} s from the first message on with {name}.")
+            click.echo(f"The table compares the first {time:.1f} s of discovery with {name}.")
         if wired_hosts is None and (serving := captured.servers()):
             click.echo(say("wired servers", " and ".join(serving)))
         products = sorted(set(captured.processes()["product"]) & set(ds.PROTOCOLS))
         if against is None and rows and products:
             options = " or ".join(f'--against "{name}"' for name in products)
-            click.echo(f"'expected' has the paper's count; {options} shows that of the product.")
+            click.echo(
+                f"The column 'expected' has the paper's count; {options} shows that of the product."
+            )
         if written is not None:
             _print_next_command(written, link)
 

@@ -254,7 +254,7 @@ def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -
         text += say("settled", settled)
     elif obs.isin("kind", *MULTICAST_KINDS).all() and not any(others.values()):
         kind = "nobody hears, or filter"
-        text += ", and the capture has no answer and nothing else"
+        text += ", and the capture contains neither an answer nor anything else"
     elif scope.protocol == "Zenoh" and (obs.seq[obs.isin("kind", "Scout")] == 1).all():
         kind, text = "no router", say("no router", hosts, count)
     else:
@@ -298,7 +298,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
     for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
         text = f"none ever answered {hosts[index]}"
         if answered := join_names(hosts[reach.multicast_ok[index]]):
-            text = f"{hosts[index]} answers {answered}, and none of them ever answered it"
+            text = f"{hosts[index]} answers {answered}, but none of them ever answered it"
         yield Finding("one direction", (hosts[index],), text)
         deaf[:, index] = False
     yield from _single_pair_findings(reach, deaf, "never answered")

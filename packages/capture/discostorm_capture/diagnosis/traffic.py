@@ -88,7 +88,7 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
         # If two processes share an id, the one unknown to others floods them.
         ports = {row[3] for row in obs.event_tuples("asked") if row[2] == host and row[3] % 2 == 0}
         if len(ports) > (obs.process_host == host).sum() == 1:
-            text += f"; others send to the one known process there at {len(ports)} ports"
+            text += f"; others know only one process there, but send to it at {len(ports)} ports"
             yield Finding("processes with one id", (host,), text)
             return
     yield Finding("flood", senders, text)
@@ -139,7 +139,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         served = sorted({*times} - {*failed})
         text = f"{count} messages from {wording.count_noun(len(failed), 'host')} got no answer"
         if refused := obs.events("unreachable")["receiver"].eq(host).sum():
-            text += f" except {refused} ICMP replies that no process uses the port"
+            text += f"; {refused} ICMP replies say that no process uses the port"
         arp = obs.events("ARP request", "ARP reply")["sender"].eq(host).sum()
         asked = {row[1:4] for row in obs.event_tuples("asked") if row[2] == host}
         tried = {port for caller, _, port in asked if caller in failed}
