@@ -6,18 +6,17 @@ from discostorm_capture import ip, link_layer, tcp
 from discostorm_capture._arrays import IdTable, concat, factorize, numbers_at, take_rows
 from discostorm_capture._types import Array, Bytes, Columns
 
-#: Kinds of events. Instead of a port, ARP has the sender's MAC address, and segments that arrived
-#: or vanished have their payload size [B], time stamps their seconds, and other traffic its bytes.
+#: Kinds of events. Instead of a port, ARP and MAC have the sender's MAC address, and segments that
+#: arrived or vanished their payload size [B], time stamps their seconds, other traffic its bytes.
 EVENT_KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
-    *("time stamp", "parts missing", "other traffic"),
+    *("time stamp", "parts missing", "other traffic", "MAC"),
 )
 _ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
-_HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED, _TIME_STAMP, _PARTS, _OTHER = range(
-    6, 14
-)
-_ARP_BYTES, _DESTINATION_UNREACHABLE, _REASSEMBLY_TIMEOUT = 28, 3, 0x0B01
+_HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED = range(6, 11)
+_TIME_STAMP, _PARTS, _OTHER, _MAC = range(11, 15)
+_ARP_BYTES, _DESTINATION_UNREACHABLE, _REASSEMBLY_TIMEOUT, _ECHOES = 28, 3, 0x0B01, (0, 8)
 #: A segment has vanished after this many transmissions without an acknowledgement.
 _MIN_TRANSMISSIONS = 3
 
@@ -116,8 +115,24 @@ def other_traffic(packets: Columns, frames: Array) -> Columns:
     names = ("source", "target", "from_port", "to_port")
     code, first = factorize(*(packets[name] for name in names))
     used = np.bincount(code[np.isin(packets["frame"], frames)], minlength=len(first)) > 0
-    octets = np.bincount(code, packets["wire"], len(first)).astype(np.int64)
-    return _events_of_rows(_OTHER, packets, first[~used]) | {"port": octets[~used]}
+    return _flows(packets, code, first[~used])
+
+
+def icmp_echoes(data: Bytes, packets: Columns) -> Columns:
+    """Return one event of other traffic for each sender and receiver of ICMP echoes (`ping`)."""
+    packets = take_rows(packets, (packets["protocol"] == ip.ICMP) & (packets["offset"] == 0))
+    packets = take_rows(packets, np.isin(data[packets["at"]], _ECHOES))
+    return _flows(packets, *factorize(packets["source"], packets["target"]))
+
+
+def mac_addresses(packets: Columns) -> Columns:
+    """Return two events for each IPv4 sender and MAC address: the first and the last packet."""
+    packets = take_rows(packets, (packets["mac"] > 0) & (packets["ethertype"] == link_layer.IPV4))
+    code, first = factorize(packets["source"], packets["mac"])
+    last = np.full(len(first), -1)
+    np.maximum.at(last, code, np.arange(len(code)))
+    rows = np.concatenate([first, last])
+    return _events_of_rows(_MAC, packets, rows) | {"port": packets["mac"][rows]}
 
 
 def two_way_exchanges(datagrams: Columns) -> Columns:
@@ -129,6 +144,13 @@ def two_way_exchanges(datagrams: Columns) -> Columns:
     back = {(receiver, sender) for sender, receiver in pairs}
     both = np.array([pair in back for pair in pairs], bool)
     return _events_of_rows(_EXCHANGE, datagrams, first[both])
+
+
+def _flows(packets: Columns, code: Array, first: Array) -> Columns:
+    """Return one event for each flow, given the first packets, with the flow's bytes."""
+    octets = np.bincount(code, packets["wire"]).astype(np.int64)
+    flows = {name: packets[name][first] for name in ("frame", "source", "target")}
+    return _event_table(_OTHER, **flows, port=octets[code[first]])
 
 
 def _events_of_rows(kind: Array | int, table: Columns, rows: Array) -> Columns:

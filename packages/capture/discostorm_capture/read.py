@@ -62,7 +62,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     carried = transport.parse_transport(packets, notes)
     duplicates = transport.find_duplicate_frames(carried, time, notes)
     streams = tcp.split_streams(take_rows(carried.segments, ~duplicates[carried.segments["frame"]]))
-    dissections, events = _dissect_all(carried, streams, notes)
+    dissections, events = _dissect_all(carried, streams, duplicates, notes)
     messages, processes = _combine_dissections(dissections)
     messages["copy"] = duplicates[messages["frame"]]
     # The first packet need not be the earliest: clocks are set back, and files are merged.
@@ -106,7 +106,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
 
 
 def _dissect_all(
-    carried: IpContent, streams: tcp.Streams, notes: Notes
+    carried: IpContent, streams: tcp.Streams, copies: Array, notes: Notes
 ) -> tuple[list[Dissection], Columns]:
     """Return the messages and processes of each protocol, and network events."""
     data, datagrams, segments = carried.data, carried.datagrams, carried.segments
@@ -129,6 +129,10 @@ def _dissect_all(
         network_events.arrived_and_vanished_segments(streams),
         *map(network_events.addressed_ports, (messages, scouts)),
         *(network_events.other_traffic(of, frames) for of in (datagrams, segments)),
+        *(
+            network_events.mac_addresses(take_rows(of, ~copies[of["frame"]]))
+            for of in (datagrams, segments)
+        ),
     )
 
 

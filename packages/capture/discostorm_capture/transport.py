@@ -52,7 +52,8 @@ def parse_transport(packets: Packets, notes: Notes) -> IpContent:
     notes.add_where(network["protocol"] == ip.IPSEC_ESP, "encrypted IP packets")
     notes.add_where(np.isin(network["protocol"], ip.TUNNEL_PROTOCOLS), TUNNELS_NOTE)
     notes.add_where(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELS_NOTE)
-    events = concat(arp, network_events.icmp_unreachable_events(data, network, addresses))
+    icmp = network_events.icmp_unreachable_events(data, network, addresses)
+    events = concat(arp, icmp, network_events.icmp_echoes(data, network))
     counts = {"ARP": len(arp["frame"])} | {
         name: int(network["parts"][network["protocol"] == protocol].sum())
         for name, protocol in (("UDP", ip.UDP), ("TCP", ip.TCP))

@@ -295,6 +295,16 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
             "Keep the server at 10.77.0.101 running",
         ),
         (
+            "planner_not_started",
+            "10.77.0.2 uses a service that no host offers",
+            "Start the node that offers this service",
+        ),
+        (
+            "cable_pulled",  # no process that ended: its host refuses nothing
+            "10.77.0.2 fell silent, and answers nothing anymore, so it is off or disconnected.",
+            "Check whether 10.77.0.2 is on and connected (battery, Wi-Fi, cable)",
+        ),
+        (
             "robot_router_dies",
             "A process on 10.77.0.2 went silent without a goodbye.",
             "Check the log of 10.77.0.2 for a crash",
@@ -308,6 +318,49 @@ def test_what_may_be_meant_is_said_above_a_healthy_fleet(
     assert found.healthy
     assert found.summary().startswith(headline)
     assert action in found.summary()
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "host", "evidence", "action"),
+    [
+        (
+            "second_robot_same_address",  # its only ARP request shows one MAC address
+            "duplicate address",
+            "10.77.0.2",
+            "come from the MAC addresses 02:00:00:00:00:02 and 02:00:00:00:00:03",
+            "Give each host its own address",
+        ),
+        (
+            "isolated_zenoh_peers",
+            "client isolation",
+            "10.77.0.4",
+            "have sessions only with 10.77.0.101, and sent ARP requests for each other",
+            "Turn client isolation (AP isolation) off",
+        ),
+        (
+            "server_gets_new_address",
+            "new address",
+            "10.77.0.101",
+            "10.77.0.101 has been 10.77.0.150 since 11.3 s; since then, others sent 49 messages",
+            "Give this host a fixed address",
+        ),
+        (
+            "laptop_gets_no_multicast",
+            "alone, but connected",
+            "10.77.0.4",
+            "nothing came from another host but other traffic of 10.77.0.1",
+            "Run `ros2 multicast receive` on 10.77.0.4",
+        ),
+    ],
+)
+def test_what_is_below_discovery_is_the_first_finding(
+    name: str, kind: str, host: str, evidence: str, action: str
+) -> None:
+    first = diagnosis(name).findings[0]
+    assert first.kind == kind
+    assert host in first.hosts
+    assert evidence in first.evidence
+    assert first.advice.startswith(action)
 
 
 def test_a_third_host_sees_multicast_alone() -> None:
@@ -351,7 +404,7 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
         (
             "busy_computer",  # the process runs for 0.2 s of every 2 s
             "complete and over, but not healthy: a process on 10.77.0.2 pauses again and again",
-            "10.77.0.2 sent nothing 6 times for over 1 s, up to 3.1 s, while others asked it 320",
+            "10.77.0.2 sent nothing 6 times for over 1.5 s, up to 3.1 s, while others asked it 320",
             "On 10.77.0.2, run `top`",
         ),
         (
@@ -470,6 +523,7 @@ def test_a_sample_that_is_sent_again_does_not_set_the_clock_back() -> None:
         "healthy_two_interfaces",  # announces an address of Docker, too
         "healthy_cable_and_wifi",  # one host has two addresses in the network
         "healthy_server_and_data",  # a server sends samples only to those that they concern
+        "topics_of_1_hz",  # one host pauses for just over a second, again and again
         "healthy_delay_of_a_second",  # who asks again has not yet got what was sent
     ],
 )

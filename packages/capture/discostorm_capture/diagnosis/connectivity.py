@@ -219,7 +219,11 @@ def _lone_host(evidence: Evidence, scope: DiscoveryScope, reach: Reachability) -
     first, last = obs.host_first_last[host]
     if last - first >= LIMITS.timeout:
         count = int((obs.isin("sender", host) & obs["multicast"]).sum())
-        yield Finding.of("alone", (host,), count, last - first)
+        text = say("alone", host, count, last - first)
+        other = obs.events("other traffic").query("receiver == @host")["sender"].astype(str)
+        near = obs.subnet_neighbors(host, sorted({*other}))
+        kind = "alone, but connected" if near else "alone"
+        yield Finding(kind, (host,), text + (say("others are on", near) if near else ""))
 
 
 def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -> Iterator[Finding]:
@@ -397,12 +401,23 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
     """Yield Zenoh peers that only have a session with a router, which declares nothing to them."""
     obs = evidence.obs
     opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
+    idle = dict[str, Finding]()
     for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
         to_it = obs.receiver_index == peer
         others, declared = obs.senders(to_it), (to_it & declares).any()
         seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= LIMITS.timeout
         if seen and others <= obs.servers and not declared:
-            yield Finding.of("peer at a router", obs.hosts_of([peer]), obs.hosts_of(others))
+            (host,), routers = obs.hosts_of([peer]), obs.hosts_of(others)
+            idle[host] = Finding.of("peer at a router", (host,), routers)
+    vain = {pair: len(times) for pair, times in obs.unanswered_arp.items() if {*pair} <= {*idle}}
+    often = max(vain.values(), default=0) >= LIMITS.min_unanswered
+    if often and len({frozenset(pair) for pair in vain}) == len(idle) * (len(idle) - 1) // 2:
+        text = f"{join_names([*idle])} have sessions only with {join_names(routers)}"
+        counts = join_names([f"{one} for {other}: {n}" for (one, other), n in vain.items()])
+        text += f", and sent ARP requests for each other ({counts}), but got no answer"
+        yield Finding("client isolation", tuple(idle), text)
+        return
+    yield from idle.values()
 
 
 def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:

@@ -18,8 +18,8 @@ from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 
 def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
-    """Yield IP addresses that two MAC addresses claim by ARP."""
-    arp = evidence.obs.events("ARP request", "ARP reply")
+    """Yield IP addresses that two MAC addresses use at the same time."""
+    arp = evidence.obs.events("ARP request", "ARP reply", "MAC")
     seen = arp.groupby(["sender", "port"], observed=True)["frame"].agg(["count", "min", "max"])
     seen = seen[seen["count"] >= LIMITS.min_arp_packets]
     for address, macs in seen.groupby(level=0, observed=True):
@@ -31,6 +31,23 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
             names = [_format_mac(mac) for mac in macs.index.get_level_values("port")]
             yield Finding.of("duplicate address", (str(address),), names)
+
+
+def moved_hosts(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with a new address for which others still look at the old one."""
+    obs = evidence.obs
+    seen = obs.events("ARP request", "ARP reply", "MAC")
+    seen = seen.groupby(["port", "sender"], observed=True)["time"].agg(["min", "max"])
+    for _, times in seen.groupby(level=0, observed=True):
+        if len(times) != 2:
+            continue  # a router has many addresses
+        (old, new), span = (str(host) for _, host in times["min"].sort_values().index), times
+        begin = span["min"].max()
+        asked = [t for (_, to), all_ in obs.unanswered_arp.items() if to == old for t in all_]
+        sent = obs.time[obs.isin("receiver", old)]
+        late = sum(time > begin for time in asked) + int((sent > begin).sum())
+        if span["max"].min() < begin and late >= LIMITS.min_requests:
+            yield Finding.of("new address", (old,), new, begin, late)
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
@@ -143,7 +160,9 @@ def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
     there = {*obs.host_first_last, *arp, *obs.announced_addresses}
     requests: dict[str, dict[str, int]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
-        by_it = obs.network_events.query("sender == @asker and kind != 'other traffic'")
+        by_it = obs.network_events.query(
+            "sender == @asker and kind not in ['other traffic', 'MAC']"
+        )
         idle = asker not in obs.host_first_last and by_it["receiver"].eq(target).all()
         often = len(times) >= LIMITS.min_requests and np.ptp(times) >= LIMITS.timeout
         used = obs.subnet_neighbors(asker, obs.hosts_of(sorted(obs.servers)))

@@ -93,6 +93,14 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
                 # The system of a process that crashes closes its connections.
                 ends = obs["ends"] & obs.isin("sender", host) & (obs.time >= since)
                 gone = vanished.get(host, -np.inf) > since and not ends.any()
+                # The system of a host that is still there refuses messages to its closed ports.
+                later = obs.isin("receiver", host) & (obs.time > when + LIMITS.late_delivery)
+                answers = obs.event_tuples("unreachable", "refused")
+                there = (
+                    any(row[2] == host for row in answers) or obs.host_first_last[host][1] > when
+                )
+                if obs.is_rtps[dead[0]] and later.sum() >= LIMITS.min_messages and not there:
+                    text, gone = text + say("no ICMP", host, later.sum()), True
                 kind = "endless lease" if endless else "crash"
                 yield Finding("out of range" if gone else kind, (host,), text)
 

@@ -58,18 +58,26 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
 def service_problems(evidence: Evidence) -> Iterator[Finding]:
     """Yield services with several servers, or whose client runs another DDS than the server."""
     ends = evidence.endpoints[evidence.endpoints["topic"].astype(str).str.startswith("rq/")]
+    complete = not evidence.obs.endpoints["topic"].isna().any() and not evidence.incomplete_pairs
+    missing: dict[tuple[str, ...], list[str]] = {}
     product = evidence.obs.processes["product"].to_numpy(object)[ends["index"]]
     for (_, topic), rows in ends.assign(product=product).groupby(["scope", "topic"]):
         client, name = rows["writer"].eq(other=True), ros_topic(str(topic))
         hosts, callers = (rows["host"][role].unique() for role in (~client, client))
         if len(hosts) > 1 and len(callers):
             yield Finding.of("several servers", hosts, name)
+        if not len(hosts) and complete:
+            missing.setdefault(tuple(callers), []).append(name)
         known = rows["product"].isin(["Fast DDS", "Cyclone DDS"])
         foreign = rows[client & known & ~rows["product"].isin(rows["product"][~client])]
         if len(foreign) and known[~client].any():
             own, its = (rows["product"][one].unique() for one in (~client, foreign.index))
             callers = foreign["host"].unique()
             yield Finding.of("services differ", (*hosts, *callers), name, hosts, own, callers, its)
+    renamed = " ".join(one.evidence for one in topic_name_mismatches(evidence))
+    for waiting, names in missing.items():
+        if unknown := [name for name in names if f"{name} " not in renamed]:
+            yield Finding.of("no server", waiting, unknown)
 
 
 def different_distributions(evidence: Evidence) -> Iterator[Finding]:

@@ -241,7 +241,10 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     """Yield pairs of hosts between which only large packets vanish, or TCP segments do."""
     obs, large = evidence.obs, {}
     for pair, (arrived, lost) in _packet_sizes(evidence).items():
-        if len(lost) >= SEGMENT_LOSS[0] and min(lost) > max(max(arrived, default=0), LARGE_PACKET):
+        # Fragments that were captured at their receiver have arrived.
+        whole = obs.recording.incomplete_datagrams and obs.vantage_host == pair[1]
+        passed_size = max(max(arrived, default=0), LARGE_PACKET)
+        if len(lost) >= SEGMENT_LOSS[0] and min(lost) > passed_size and not whole:
             large[pair] = max(arrived, default=0), min(lost), len(lost)
     yield from _uncaptured_samples(obs)
     if large:
@@ -321,7 +324,7 @@ def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
     for host in sorted({to for (_, to), time in times if time < LIMITS.max_read_delay}):
         own = obs.isin("sender", host)
         sent = np.unique(obs.time[own])
-        long = np.flatnonzero(np.diff(sent) > LIMITS.max_transit)
+        long = np.flatnonzero(np.diff(sent) > LIMITS.min_hang)
         pause = sent[long], sent[long + 1]
         after = pause[1], pause[1] + LIMITS.max_burst_pause
         to_it = beats & obs.isin("receiver", host)
@@ -332,7 +335,8 @@ def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
         late = (asked >= LIMITS.min_unanswered) & (good > 0) & (bad == 0)
         if late.sum() >= LIMITS.min_calls:
             longest = np.subtract(*pause[::-1])[late].max()
-            yield Finding.of("pauses", (host,), late.sum(), longest, asked[late].sum())
+            counts = late.sum(), LIMITS.min_hang, longest, asked[late].sum()
+            yield Finding.of("pauses", (host,), *counts)
 
 
 def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
