@@ -81,7 +81,7 @@ SHORT = {
 GROUPS = ("symptom-nothing", "symptom-some", "symptom-slow", "symptom-lost")
 #: The parts of an entry, in order.
 PARTS = (
-    "*People write:",
+    "*Users ",
     "**Test.**",
     "**Meaning.**",
     "**Cure.**",
