@@ -43,7 +43,7 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
         # A byte order mark is accepted, because editors on Windows write one.
         return tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise ValueError(f"{name} must be a TOML file: {error}") from error
+        raise ValueError(f"{name} is not valid TOML: {error}") from error
     except RecursionError:
         raise ValueError(f"{name} must be a TOML file; it is nested too deeply") from None
     except ValueError:  # more digits than Python reads

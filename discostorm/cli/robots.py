@@ -48,7 +48,7 @@ def robots(output: Output) -> None:
     print_table(rows, output, COLUMNS)
     if output.for_people:
         print_note(
-            "Endpoints are per process, nodes per robot. --robot also takes shorter names, "
-            f"in the same order: {'; '.join(aliases)}. Case, spaces and hyphens don't matter: "
-            "turtlebot4."
+            "Endpoints are per process, nodes per robot. --robot also accepts short names, "
+            f"in the order of the table: {'; '.join(aliases)}. Case, spaces and hyphens don't "
+            "matter: turtlebot4."
         )

@@ -95,9 +95,9 @@ def saturation(
 ) -> None:
     """Compute how many identical hosts fill the channel with discovery.
 
-    With a fleet file, FLEET, the command varies one group at a time and keeps the others. If the
-    file has [[cells]], each row says how many hosts of a group fill the channel of one cell, which
-    need not be its own. With --hosts, the command says whether that many hosts fit.
+    With a fleet file, FLEET, the command varies one group at a time and keeps the others fixed. If
+    the file has [[cells]], each row says how many hosts of a group fill the channel of one cell,
+    which need not be its own. With --hosts, the command says whether that many hosts fit.
 
     {matching}
 

@@ -388,7 +388,7 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ("groups = 3", r"at least one \[\[groups\]\] table; got 3"),
         ("groups = [3]", "group 1: it must be a table with hosts, processes, endpoints; got 3"),
         ("[groups]\n" + GOOD, r"at least one \[\[groups\]\] table; got {'endpoints': 1"),
-        ("[[groups]\n", "must be a TOML file: .*line 1"),
+        ("[[groups]\n", "is not valid TOML: .*line 1"),
         (
             "[[groups]]\n" + GOOD + "[[group]]\n" + GOOD,
             "unknown key group = .*. Did you mean 'groups'",
@@ -450,7 +450,7 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
 def test_a_fleet_file_that_is_no_text_or_not_there_is_named(tmp_path: Path) -> None:
     path = tmp_path / "fleet.toml"
     path.write_bytes(b"\xff\xfe")
-    with pytest.raises(ValueError, match=r"fleet\.toml must be a TOML file: .*utf-8"):
+    with pytest.raises(ValueError, match=r"fleet\.toml is not valid TOML: .*utf-8"):
         ds.Fleet.from_toml(path)
     with pytest.raises(FileNotFoundError, match=r"none\.toml"):
         ds.Fleet.from_toml(tmp_path / "none.toml")

@@ -337,7 +337,7 @@ def test_commands_simulate_data_without_recovery() -> None:
             run("simulate", "-", "--runs", "2", "--until", "3", *options, text=text).split()
         )
         assert "with your data, and ends after" in said
-        assert "Data until the end of the run (medians of the runs):" in said
+        assert "Data until the end of the run (medians of all runs):" in said
 
 
 def test_simulate_tells_both_and_how_late_data_are() -> None:

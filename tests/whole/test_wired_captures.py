@@ -121,7 +121,7 @@ def test_other_hosts_that_are_wired() -> None:
     seconds = capture.airtime(wired=(SERVER, "10.77.0.2"))
     assert (seconds[inside] == 0).all()
     assert (seconds[~inside] > 0).all()
-    with pytest.raises(ValueError, match=r"wired must have addresses .* got '10\.0\.0\.9'"):
+    with pytest.raises(ValueError, match=r"wired must list addresses .* got '10\.0\.0\.9'"):
         capture.fleet(wired=("10.0.0.9",))
     with pytest.raises(TypeError, match="wired must be"):
         capture.airtime(wired=SERVER)

@@ -275,7 +275,7 @@ def test_who_asks_no_more_was_answered(tmp_path: Path) -> None:
 
 def test_a_sick_fleet_that_is_complete_is_said_to_be_so() -> None:
     text = ill("loss_of_20__-zenoh_peer").diagnosis().summary()
-    assert text.startswith("Discovery is complete and over, but not healthy: many frames are lost")
+    assert text.startswith("Discovery is complete, but not healthy: many frames are lost")
 
 
 @pytest.mark.parametrize(

@@ -63,7 +63,7 @@ def test_a_request_before_the_reader_of_its_reply_is_named(reader_at: tuple[floa
         "/amcl/get_state (service): 10.0.0.1 called 10.0.0.2 after 1.0 s, but announced its "
         "reply reader only 0.5 s later; 1 request got no reply"
     )
-    assert diagnosis.summary().startswith("Discovery is complete and over, but not healthy: ")
+    assert diagnosis.summary().startswith("Discovery is complete, but not healthy: ")
     assert "max_blocking_time" in finding.advice
 
 

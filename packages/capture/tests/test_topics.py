@@ -131,7 +131,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         ),
         (
             "cyclone_beside_server",
-            "10.77.0.3 runs a DDS that cannot use a Discovery Server",
+            "10.77.0.3 runs a DDS implementation that cannot use a Discovery Server",
             "ulticast is used by 10.77.0.3",
             "ROS_DISCOVERY_SERVER works only with Fast DDS",
         ),
@@ -189,7 +189,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         ),
         (
             "launched_twice",
-            "10.77.0.1 and 10.77.0.2 each send commands on the same topic",
+            "10.77.0.1 and 10.77.0.2 send commands on the same topic",
             "look for a launch file that runs twice",
         ),
         (
@@ -204,7 +204,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         ),
         (
             "two_servers_of_a_service",
-            "10.77.0.2 and 10.77.0.1 each offer the same service",
+            "10.77.0.2 and 10.77.0.1 offer the same service",
             "stop the other server",
         ),
         (

@@ -43,11 +43,11 @@ def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None)
     names: dict[str, list[str]] = {}
     for cell, one in seen.items():
         names.setdefault(phrase(one.wifi.name), []).append(cell.name)
-    told = [f"{wifi} at {wording.join_words(own)}" for wifi, own in names.items()]
+    told = [f"{wifi} in {wording.join_words(own)}" for wifi, own in names.items()]
     return replace(
         busiest,
         fleet=whole,
-        wifi=replace(PAPER, name=", ".join(told)),
+        wifi=replace(PAPER, name=wording.join_words(told)),
         startup=combine(max, [one.startup for one in seen.values()]),
         steady_range=combine(max, [one.steady_range for one in seen.values()]),
         remedies=remedies,

@@ -93,7 +93,7 @@ def _format_error(line: str) -> str:
     return (
         f"{_checks.short_repr(line.strip())} is not output of: "
         f"{_describe(read_data('fleets/ros2_formats.csv'))}. "
-        "Give only their output, without other commands"
+        "Give only the output of these commands"
     )
 
 
@@ -122,7 +122,7 @@ def fleet_from_graph(
     if len(robots) > 1:
         spaces = len([name for name in robots if name])
         notes.append(
-            f"We count namespaces with the same node names as {spaces} robots. "
+            f"{spaces} namespaces have the same node names, so we count {spaces} robots. "
             "If all nodes belong to one robot, give the number of robots with --hosts"
         )
     elif hosts is None:
@@ -187,8 +187,8 @@ def _uncertainty_notes(graph: Ros2Graph) -> Iterator[str]:
         )
     if graph.nodes and len(listed) < len(graph.nodes):
         yield (
-            "`ros2 node info` names a topic once, however many publishers or subscriptions a node "
-            "has for it"
+            "`ros2 node info` lists a topic only once, however many publishers or subscriptions a "
+            "node has for it"
         )
 
 

@@ -45,7 +45,7 @@ def test_a_plan_tells_the_discovery_time_and_the_airtime_of_each_cell(tmp_path: 
     assert result.exit_code == 0, result.output
     said = " ".join(result.output.split())
     assert said.startswith("Yes, this startup works: 2 robots and 1 carts discover each other")
-    assert "(Fast DDS 3.6, on 802.11ac 80 MHz 2x2 at hall, 802.11a 20 MHz 1x1 at yard)" in said
+    assert "(Fast DDS 3.6, on 802.11ac 80 MHz 2x2 in hall and 802.11a 20 MHz 1x1 in yard)" in said
     assert "Cells do not interfere" in said
     assert "one access point" not in said
     assert "If one robot reboots, all others rediscover it" in said

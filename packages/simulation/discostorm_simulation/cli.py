@@ -220,7 +220,7 @@ def simulate(
             ends = "until discovery was complete"
         elif not options.no_recovery and len(refused) < len(found):
             ends = "until discovery was complete or, where it is not simulated, the end of the run"
-        click.echo(f"\nData {ends} (medians of the runs):\n")
+        click.echo(f"\nData {ends} (medians of all runs):\n")
         late = _user_data_rows(found)
         special = Column("frames", "radio frames"), Column("arrived", format=out.percent)
         out.print_table(late, output, out.columns_of(late, *special))

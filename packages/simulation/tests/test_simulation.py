@@ -1190,7 +1190,7 @@ def test_command_prints_what_the_package_finds() -> None:
         (("--window", "1e15"), "at most 1e+06; got 1000000000000000.0"),
         (("--runs", "0"), "runs must be"),
         (("--loss", "1"), "of at least 0 and below 1"),
-        (("--wifi", "tin cans"), "--wifi must be 'paper' or a radio; '--wifi list' lists some"),
+        (("--wifi", "tin cans"), "'--wifi list' lists channels and radios"),
         # A channel that has only rates and overheads has no radio to contend with.
         (("--unicast-rate", "100"), "No such option '--unicast-rate'"),
         (("--multicast-rate", "24"), "--multicast-rate needs a radio here; got --wifi 'paper'"),

@@ -206,7 +206,8 @@ def _print_state(state: Watch) -> None:
     """Print totals, the diagnosis, and tables of messages and hosts."""
     output = cli_output.Output(as_json=False, as_csv=False)
     now, peak = cli_output.percent(state.airtime_now), cli_output.percent(state.airtime_peak)
-    time = wording.duration(max(state.end - state.begin, 0.0))
+    seconds = state.end - state.begin
+    time = wording.duration(seconds) if seconds > 0 else "0 s"
     click.echo(say("watched", state.packets, time, now, cli_output.visible(state.wifi.name), peak))
     text = [state.summary()]
     for since, finding in state.certain_findings.values():

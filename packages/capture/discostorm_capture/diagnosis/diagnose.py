@@ -196,13 +196,11 @@ class Diagnosis:
         count += f" on {wording.count_noun(len(hosts) - len(left), 'host')}"
         seen = f", counting only pairs with {obs.vantage_host}" if obs.vantage_host else ""
         if self.wrong:
-            good = "complete and over, but " if self.over else "complete, but "
-            if any(one.role for one in self.wrong):
-                good = ""  # a finding concerns pairs, so do not call discovery complete
-            bad = ["healthy", *["complete"] * (self.complete is False)]
-            bad += ["over"] * (self.over is False)
-            not_so = f"neither {' nor '.join(bad)}" if len(bad) > 1 else "not healthy"
-            return f"Discovery is {good * bool(self.complete)}{not_so}: {self.wrong[0].summary}."
+            # Where a finding concerns pairs, do not call discovery complete.
+            good = self.complete and not any(one.role for one in self.wrong)
+            state = "complete, but not healthy" if good else "not healthy"
+            state = "neither healthy nor complete" if self.complete is False else state
+            return f"Discovery is {state}: {self.wrong[0].summary}."
         if self.complete is False:
             lacking = f"{len(self._evidence.incomplete_pairs)} of {self.pairs} pairs of processes"
             return f"Discovery is not complete: {lacking} have not discovered each other fully."
