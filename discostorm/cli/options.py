@@ -118,7 +118,7 @@ def _parse_wifi(channel: str, **given: float | None) -> Wifi:
         wifi = as_wifi(channel)
     except ValueError as error:
         raise click.UsageError(
-            f"--wifi: {error.__cause__}; '--wifi list' lists channels and radios"
+            f"--wifi: {error.__cause__}. '--wifi list' lists channels and radios"
         ) from None
     if wifi is ds.PAPER:
         return Wifi("own channel", **links) if changes else wifi

@@ -312,7 +312,7 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
         ("utilization|--fleet|fleet.toml|--json|--csv", "use --json or --csv, not both"),
         (
             "utilization|--fleet|fleet.toml|--wifi|wlan",
-            "--wifi must be 'paper' or a radio; '--wifi list'",
+            "got 'wlan'. '--wifi list' lists channels and radios",
         ),
         (
             "utilization|--fleet|fleet.toml|--wifi|802.11a 20 MHz 1x1|--unicast-rate|5",

@@ -147,7 +147,7 @@ def test_a_wrong_name_of_a_radio_is_refused(name: str, text: str) -> None:
         radio_named(name)
     result = run("utilization", *SWARM_OPTIONS, "--wifi", name)
     assert result.exit_code == 2
-    assert "; '--wifi list' lists channels and radios" in result.stderr
+    assert ". '--wifi list' lists channels and radios" in result.stderr
 
 
 def test_a_lone_robot_is_told_that_it_has_nobody_to_find(folder: Path) -> None:
