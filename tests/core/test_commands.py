@@ -278,7 +278,7 @@ def test_rates_and_overheads_replace_the_papers() -> None:
         ),
         ("endpoints = 90", "endpoints = 'x'", "group 2 (laptop): endpoints must be a finite"),
         ("hosts = 1 ", "host = 1", "group 2 (laptop): unknown key host = 1. Did you"),
-        ("[[groups]]", "[[groups", "bad.toml must be a TOML file"),
+        ("[[groups]]", "[[groups", "bad.toml is not valid TOML"),
     ],
 )
 def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(

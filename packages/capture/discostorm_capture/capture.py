@@ -78,7 +78,8 @@ class Capture:
         and ``writer``; ``number``, the sequence number of a sample, of the last one of a Heartbeat,
         or of the first one that an ACKNACK requests; ``missing``, how many samples it requests
         (with Zenoh 1 if TCP never acknowledged the message); ``holes``, whether it has later
-        samples; ``size``, octets to the next header [B].
+        samples, or, of a Heartbeat, whether it demands an answer; ``size``, octets to the next
+        header [B].
         """
         return self._messages.copy()
 

@@ -11,12 +11,14 @@ from discostorm_capture._types import Array, Bytes, Columns
 EVENT_KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
-    *("time stamp", "parts missing", "other traffic", "MAC"),
+    *("time stamp", "parts missing", "other traffic", "MAC", "prohibited"),
 )
 _ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
 _HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED = range(6, 11)
-_TIME_STAMP, _PARTS, _OTHER, _MAC = range(11, 15)
+_TIME_STAMP, _PARTS, _OTHER, _MAC, _PROHIBITED = range(11, 16)
 _ARP_BYTES, _DESTINATION_UNREACHABLE, _REASSEMBLY_TIMEOUT, _ECHOES = 28, 3, 0x0B01, (0, 8)
+#: ICMP codes of a firewall that rejects a packet: network, host or communication (RFC 1812).
+_PROHIBITED_CODES = (9, 10, 13)
 #: A segment has vanished after this many transmissions without an acknowledgement.
 _MIN_TRANSMISSIONS = 3
 
@@ -53,6 +55,7 @@ def icmp_unreachable_events(data: Bytes, packets: Columns, addresses: IdTable) -
     inside = port_at + 2 <= packets["end"]
     packets, port_at = take_rows(packets, inside), port_at[inside]
     kind = np.where(data[packets["at"] + 17] == ip.TCP, _REFUSED, _UNREACHABLE)
+    kind = np.where(np.isin(data[packets["at"] + 1], _PROHIBITED_CODES), _PROHIBITED, kind)
     return _event_table(
         np.where(packets["lacks"], _PARTS, kind),
         frame=packets["frame"],

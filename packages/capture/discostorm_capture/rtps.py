@@ -18,7 +18,8 @@ from discostorm_capture.dissection import RTPS, Dissection, Process, first_seen,
 #: The first four bytes of a message ("RTPS", "RTPX" of Connext), and of Fast DDS's TCP header.
 _MAGIC, _MAGIC_TCP = (0x52545053, 0x52545058), 0x52544350
 _HEADER_BYTES = 20
-PAD, INFO_TS, INFO_SRC, INFO_DST, ACKNACK, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x06, 0x15
+PAD, INFO_TS, INFO_SRC, INFO_DST = 0x01, 0x09, 0x0C, 0x0E
+ACKNACK, HEARTBEAT, DATA = 0x06, 0x07, 0x15
 #: The multicast port of SPDP is PB + DG * domain (9.6.1.1).
 PORT_BASE, DOMAIN_GAIN = 7400, 250
 #: Parameter ids (9.6.3).
@@ -116,6 +117,7 @@ def parse_messages(
     writer = np.where(has_keys[chosen], np.uint32(PARTICIPANT_VOLATILE_SECURE_WRITER), writer)
     group, entity = _classify_entities(reader, writer)
     missing, holes = _count_nacked_samples(data, at, last, kind, little)
+    holes |= (kind == HEARTBEAT) & (data[at + 1] & 2 == 0)  # not final (8.3.8.6)
     share = ((stop - begin) / np.maximum(datagrams["wire"][datagram], 1)).astype(np.float32)
     number = _read_field(data, at, last, _SEQUENCE_NUMBER_OFFSETS[kind], little) & 0x7FFFFFFF
     table = message_table(
@@ -371,11 +373,14 @@ def _parse_endpoints(
         np.where(guid > 0, entity, below),
         *(rows[name] for name in ("number", "list_at", "list_end", "little")),
     )
-    return {
-        (names[of].hex(), id_): (number, sedp.parse_endpoint(data, at, end, little, id_))
-        for of, id_, number, at, end, little in zip(*map(np.ndarray.tolist, columns), strict=True)
-        if id_ < 0 or not id_ & _BUILTIN_OR_VENDOR
-    }
+    found: dict[tuple[str, int], tuple[int, sedp.Endpoint | None]] = {}
+    for of, id_, number, at, end, little in zip(*map(np.ndarray.tolist, columns), strict=True):
+        if id_ < 0 or not id_ & _BUILTIN_OR_VENDOR:
+            endpoint, key = sedp.parse_endpoint(data, at, end, little, id_), (names[of].hex(), id_)
+            # What withdraws an endpoint may have nothing but its key.
+            if endpoint is not None or key not in found:
+                found[key] = number, endpoint
+    return found
 
 
 def _domains_from_ports(

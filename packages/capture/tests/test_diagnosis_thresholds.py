@@ -336,7 +336,7 @@ def test_a_process_that_deletes_none_of_its_many_endpoints_is_named() -> None:
     assert "10.77.0.2 announced " in kept.wrong[0].evidence
     assert kept.wrong[0].kind == "endpoints pile up"
     assert "new endpoints of /set_mode (service)" in kept.wrong[0].evidence
-    assert "publishers and subscriptions once, and keep them" in kept.wrong[0].advice
+    assert "publishers and subscriptions once and reuse them" in kept.wrong[0].advice
 
 
 def test_a_host_that_announces_the_address_of_another_interface_is_named() -> None:

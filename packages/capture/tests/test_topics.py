@@ -97,7 +97,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "clock_steps_back",
             "the clock of 10.77.0.3 was set back while nodes ran there",
             "he timestamps in samples of 10.77.0.3 went back by 30.0 s after 10.6 s",
-            "let chrony adjust it slowly",
+            "make chrony adjust it slowly",
         ),
         (
             "images_by_multicast",
@@ -109,7 +109,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "connects_to_routers_only",
             "10.77.0.1, 10.77.0.2 and 10.77.0.3 look only for a Zenoh router, and none answers",
             "by multicast for a router, but not for peers",
-            "let peers connect to each other",
+            "make peers connect to each other",
         ),
         (
             "expired_certificate",
@@ -185,7 +185,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         (
             "published_once",
             "A process on 10.77.0.2 exited before any reader could get its samples",
-            "wait until its readers are matched",
+            "wait for matching readers",
         ),
         (
             "launched_twice",

@@ -296,8 +296,28 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
         ),
         (
             "planner_not_started",
-            "10.77.0.2 uses a service that no host offers",
+            "10.77.0.2 calls a service that no host offers",
             "Start the node that offers this service",
+        ),
+        (
+            "rviz_misses_map",
+            "10.77.0.3 asks only for new samples (volatile) of a topic whose samples were all sent",
+            "On 10.77.0.3, set the durability of the subscription to transient local",
+        ),
+        (
+            "service_never_answers",
+            "10.77.0.1 gets requests of a service again and again, but never replies.",
+            "On 10.77.0.1, look at the node that serves the service",
+        ),
+        (
+            "use_sim_time_left_on",
+            "10.77.0.2 waits for simulation time (/clock), which no host publishes",
+            "Set use_sim_time to false for the nodes on 10.77.0.2",
+        ),
+        (
+            "primary_server_dies",
+            "One of several servers, on 10.77.0.1, went silent without a goodbye",
+            "Keep the server at 10.77.0.1 running",
         ),
         (
             "cable_pulled",  # no process that ended: its host refuses nothing
@@ -345,6 +365,41 @@ def test_what_may_be_meant_is_said_above_a_healthy_fleet(
             "Give this host a fixed address",
         ),
         (
+            "firewalld_on_robot2",
+            "rejects",
+            "10.77.0.2",
+            "10.77.0.2 rejected packets 7 times by ICMP as administratively prohibited",
+            "On 10.77.0.2, check `ufw status`",
+        ),
+        (
+            "laptop_in_domain_42",  # recorded on the laptop, so that nothing is answered
+            "two domains",
+            "10.77.0.4",
+            "domain 42 has 10.77.0.4",
+            "If all hosts should discover each other, set the same ROS_DOMAIN_ID",
+        ),
+        (
+            "fair_wifi_isolation",  # one host asks for one other by ARP
+            "client isolation",
+            "10.77.0.4",
+            "(10.77.0.4 for 10.77.0.1: 18)",
+            "Turn client isolation (AP isolation) off",
+        ),
+        (
+            "static_address_typo",  # it is heard, but hears no other
+            "other subnet",
+            "10.70.0.3",
+            "only hosts in the same subnet answer each other",
+            "Give all hosts addresses in one subnet",
+        ),
+        (
+            "docker_proxy",
+            "no router behind",
+            "10.77.0.101",
+            "10.77.0.1 opened 24 connections to 10.77.0.101 at port 7447, and each was closed",
+            "On 10.77.0.101, check whether the router runs (`docker ps`",
+        ),
+        (
             "laptop_gets_no_multicast",
             "alone, but connected",
             "10.77.0.4",
@@ -382,7 +437,9 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
         "Either the access point keeps the hosts other than 10.77.0.1"
     )
     assert finding.advice.startswith("Turn client isolation (AP isolation) off")
-    assert "works between the other hosts, let the access point and switches pass" in finding.advice
+    assert (
+        "works between the other hosts, make the access point and switches pass" in finding.advice
+    )
     assert "10.77.0.2 and 10.77.0.3 never sent ARP requests for each other" in finding.evidence
 
 
@@ -417,7 +474,7 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
             "image_by_multicast",
             "complete, but not healthy: 10.77.0.1 sends much data by multicast",
             "10.77.0.1 sends /camera/image_raw by multicast, which takes 59% of the paper's",
-            "Let 10.77.0.1 send data by unicast (set AllowMulticast to spdp in Cyclone DDS)",
+            "Make 10.77.0.1 send data by unicast (set AllowMulticast to spdp in Cyclone DDS)",
         ),
         (
             "multicast_is_lossy",
@@ -533,6 +590,18 @@ def test_nothing_is_found_in_healthy_fleets(name: str) -> None:
     found = diagnosis(name)
     assert found.healthy
     assert found.findings == ()
+
+
+def test_a_fleet_with_odd_but_sound_services_shutdowns_and_routers_is_healthy() -> None:
+    found = diagnosis("healthy_services")  # one client waits for a server, and a host pauses
+    assert (found.healthy, [one.kind for one in found.findings]) == (
+        True,
+        ["late joiner", "waits for server"],
+    )
+    night = diagnosis("healthy_night_shutdown")  # withdrawn endpoints stay readable
+    assert (night.healthy, night.findings) == (True, ())
+    routers = diagnosis("healthy_router_on_each", 4)  # each host is a server
+    assert (routers.healthy, [one.kind for one in routers.findings]) == (True, ["late joiner"])
 
 
 def test_much_data_by_unicast_stands_above_a_healthy_fleet() -> None:

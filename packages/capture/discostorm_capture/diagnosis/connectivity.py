@@ -186,6 +186,14 @@ def different_domains(evidence: Evidence) -> Iterator[Finding]:
                 yield Finding("process alone", (host,), join_names(said, "; "))
 
 
+def rejecting_firewalls(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts whose firewall rejects packets of others, as its ICMP replies say."""
+    rejected = Counter(row[2] for row in evidence.obs.event_tuples("prohibited"))
+    for host, count in rejected.items():
+        if count >= LIMITS.min_calls:
+            yield Finding.of("rejects", (host,), count)
+
+
 def refused_announcements(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that send each other announcements only to ports that all of them refuse."""
     hosts = tuple(sorted(evidence.obs.hosts_refused_by_all))
@@ -295,6 +303,13 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
             deaf[index, :] = False
             continue
         sent = int(obs.isin("receiver", hosts[index]).sum())
+        subnets = obs.subnet_numbers(hosts, 16)
+        others = hosts[subnets != subnets[index]]
+        if len(others) == len(hosts) - 1:
+            text = say("answers in one subnet", [hosts[index], *others])
+            yield Finding("other subnet", (hosts[index],), text)
+            deaf[index, :] = False
+            continue
         text = f"announces itself{f', and others sent it {sent} messages' if sent else ''}"
         text += f", but it never answered any{_describe_arp_replies(obs, hosts[index])}"
         yield Finding("firewall", (hosts[index],), f"{hosts[index]} {text}")

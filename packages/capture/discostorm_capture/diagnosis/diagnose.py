@@ -242,6 +242,8 @@ def diagnose(obs: Observations) -> Diagnosis:
     causes += [one for one in events if one.about == "fleet"]
     roots = [one for one in causes if one.role == "explains"]
     hosts = {host for one in roots for host in one.hosts}
+    if any(one.kind == "two domains" for one in events):
+        causes = [one for one in causes if not one.kind.startswith("nobody hears")]
     others = [one for one in causes if one not in roots]
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
     lost = any(one.kind in ("large packets", "reassembly", "unacknowledged") for one in causes)

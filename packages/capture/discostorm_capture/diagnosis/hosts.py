@@ -71,6 +71,7 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
     asked, speakers = obs.unanswered_arp, {*obs.host_first_last}
     quiet = speakers - {sender for sender, to in obs.links_of(obs.messages) if to in speakers}
     texts: dict[str, list[str]] = {}
+    asked = {} if quiet == speakers and len(speakers) > 2 else asked  # not the fault of one host
     for (asker, target), times in asked.items():
         host = target if target in speakers else asker
         lasts = len(times) > 2 and np.ptp(times) >= LIMITS.timeout
@@ -206,7 +207,7 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
     obs, expected = evidence.obs, evidence.obs.expected_hosts
     present = {str(host) for scope in evidence.scopes for host in scope.hosts}
     if isinstance(expected, int):
-        seen = sorted(present - obs.server_hosts)
+        seen = sorted(present if obs.is_server.all() else present - obs.server_hosts)
         if len(seen) < expected:
             text = f"the capture shows {len(seen)} of {expected} expected hosts"
             yield Finding("too few hosts", (), f"{text}{': ' + join_names(seen) if seen else ''}")

@@ -87,22 +87,30 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
             if end == "left":
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
+                yield _describe_crash(evidence, host, dead, when, vanished.get(host, -np.inf))
+            elif dead and (last[sorted(obs.servers - {*dead})] > when + LIMITS.timeout).any():
                 text = say("crash", host, when, obs.recording.recorded_time)
-                endless = np.isinf(obs.processes["lease"].to_numpy()[dead]).any()
-                since = when - LIMITS.late_delivery
-                # The system of a process that crashes closes its connections.
-                ends = obs["ends"] & obs.isin("sender", host) & (obs.time >= since)
-                gone = vanished.get(host, -np.inf) > since and not ends.any()
-                # The system of a host that is still there refuses messages to its closed ports.
-                later = obs.isin("receiver", host) & (obs.time > when + LIMITS.late_delivery)
-                answers = obs.event_tuples("unreachable", "refused")
-                there = (
-                    any(row[2] == host for row in answers) or obs.host_first_last[host][1] > when
-                )
-                if obs.is_rtps[dead[0]] and later.sum() >= LIMITS.min_messages and not there:
-                    text, gone = text + say("no ICMP", host, later.sum()), True
-                kind = "endless lease" if endless else "crash"
-                yield Finding("out of range" if gone else kind, (host,), text)
+                yield Finding("server lost", (host,), text)
+
+
+def _describe_crash(
+    evidence: Evidence, host: str, dead: list[int], when: float, vanished: float
+) -> Finding:
+    """Return whether processes crashed, or their host is gone since their last message."""
+    obs = evidence.obs
+    text = say("crash", host, when, obs.recording.recorded_time)
+    endless = np.isinf(obs.processes["lease"].to_numpy()[dead]).any()
+    since = when - LIMITS.late_delivery
+    # The system of a process that crashes closes its connections, and refuses later messages.
+    ends = obs["ends"] & obs.isin("sender", host) & (obs.time >= since)
+    gone = vanished > since and not ends.any()
+    later = obs.isin("receiver", host) & (obs.time > when + LIMITS.late_delivery)
+    there = any(row[2] == host for row in obs.event_tuples("unreachable", "refused"))
+    there |= obs.host_first_last[host][1] > when
+    if obs.is_rtps[dead[0]] and later.sum() >= LIMITS.min_messages and not there:
+        text, gone = text + say("no ICMP", host, later.sum()), True
+    kind = "endless lease" if endless else "crash"
+    return Finding("out of range" if gone else kind, (host,), text)
 
 
 def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:

@@ -112,7 +112,8 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     normal = _wilson_ci(again, sent)[0] <= LIMITS.max_healthy_loss
     normal &= not [*evidence.incomplete_pairs, *multicast_loss(evidence)]
     loss = Finding("heavy loss" if heavy else "some loss" if normal else "loss", (), text)
-    yield (loss.about == "fleet" and _crowded_link(evidence.obs, text)) or loss
+    broken = evidence.obs.recording.incomplete_datagrams >= LIMITS.min_repeats
+    yield ((loss.about == "fleet" or broken) and _crowded_link(evidence.obs, text)) or loss
 
 
 def _crowded_link(obs: Observations, text: str) -> Finding | None:

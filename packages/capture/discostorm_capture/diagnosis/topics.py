@@ -57,10 +57,11 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
 
 def service_problems(evidence: Evidence) -> Iterator[Finding]:
     """Yield services with several servers, or whose client runs another DDS than the server."""
-    ends = evidence.endpoints[evidence.endpoints["topic"].astype(str).str.startswith("rq/")]
-    complete = not evidence.obs.endpoints["topic"].isna().any() and not evidence.incomplete_pairs
+    obs, ends = evidence.obs, evidence.endpoints
+    ends = ends[ends["topic"].astype(str).str.startswith("rq/")]
+    complete = not obs.endpoints["topic"].isna().any() and not evidence.incomplete_pairs
     missing: dict[tuple[str, ...], list[str]] = {}
-    product = evidence.obs.processes["product"].to_numpy(object)[ends["index"]]
+    product = obs.processes["product"].to_numpy(object)[ends["index"]]
     for (_, topic), rows in ends.assign(product=product).groupby(["scope", "topic"]):
         client, name = rows["writer"].eq(other=True), ros_topic(str(topic))
         hosts, callers = (rows["host"][role].unique() for role in (~client, client))
@@ -77,7 +78,9 @@ def service_problems(evidence: Evidence) -> Iterator[Finding]:
     renamed = " ".join(one.evidence for one in topic_name_mismatches(evidence))
     for waiting, names in missing.items():
         if unknown := [name for name in names if f"{name} " not in renamed]:
-            yield Finding.of("no server", waiting, unknown)
+            calls = obs.isin("kind", "Request") & obs.isin("sender", *waiting)  # of Zenoh
+            kind = "no server" if calls.any() else "waits for server"
+            yield Finding(kind, waiting, say("no server", waiting, unknown))
 
 
 def different_distributions(evidence: Evidence) -> Iterator[Finding]:
@@ -155,6 +158,48 @@ def stopped_topics(evidence: Evidence) -> Iterator[Finding]:
         if steady and not ended and silence > enough:
             values = len(times), ros_topic(str(named[[key]].iloc[0])), times[0], times[-1], silence
             yield Finding.of("topic stops", (host,), *values)
+
+
+def missed_samples(evidence: Evidence) -> Iterator[Finding]:
+    """Yield volatile readers that started after the last sample of a writer that keeps samples."""
+    obs, texts, begins = evidence.obs, dict[str, dict[str, None]](), evidence.obs.first_last[0]
+    ends = evidence.endpoints[obs.is_rtps[evidence.endpoints["index"]]]
+    volatile, writes = ends["durability"].eq("volatile"), ends["writer"].eq(other=True)
+    kept, late = ends[writes & ~volatile], ends[~writes & volatile]
+    pairs = kept.merge(late, on=["scope", "topic", "type"], suffixes=("", "_by"))
+    names = ["topic", "index", "entity", "host", "index_by", "host_by"]
+    for topic, process, writer, host, reader, by in pairs[names].itertuples(index=False, name=None):
+        times, begin = _sample_times(obs, process, writer), begins[reader]
+        if times and max(times) < begin < obs.end - LIMITS.timeout and host != by:
+            text = say("missed samples", ros_topic(topic), host, max(times), by, begin)
+            texts.setdefault(by, {})[text] = None
+    for host, said in texts.items():
+        yield Finding("missed samples", (host,), "; ".join(said))
+
+
+def silent_services(evidence: Evidence) -> Iterator[Finding]:
+    """Yield servers that get requests of a service again and again, but never reply."""
+    obs, texts = evidence.obs, dict[str, list[str]]()
+    ends = _endpoints_by_service(evidence)
+    for service in sorted({service for service, *_ in ends}):
+        asking, serving, replying = (
+            ends.get((service, *role), []) for role in (("rq", True), ("rq", False), ("rr", True))
+        )
+        replies = [t for one, entity, _ in replying for t in _sample_times(obs, one, entity)]
+        asks = [t for one, entity, _ in asking for t in _sample_times(obs, one, entity)]
+        lasts = len(asks) >= LIMITS.min_calls and np.ptp(asks) >= LIMITS.timeout
+        for host in obs.hosts_of(one for one, *_ in serving) if lasts and not replies else ():
+            by = obs.hosts_of(one for one, *_ in asking)
+            texts.setdefault(host, []).append(say("no reply", service, by, len(asks), host))
+    for host, said in texts.items():
+        yield Finding("no reply", (host,), "; ".join(said))
+
+
+def missing_clock(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that read simulation time, which no host publishes."""
+    clocks = evidence.endpoints[evidence.endpoints["topic"].eq("rt/clock")]
+    if len(clocks) and not clocks["writer"].any() and not evidence.incomplete_pairs:
+        yield Finding.of("no clock", tuple(clocks["host"].unique()))
 
 
 def looping_bridges(evidence: Evidence) -> Iterator[Finding]:
@@ -323,6 +368,15 @@ def _confirmed_announcement_time(obs: Observations, process: int, to: int, numbe
     acks = obs.isin("kind", ACKNACK) & obs.isin("entity", "subscriptions") & (obs.seq > number)
     confirmed = obs.time[acks & _messages_between(obs, to, process)].min(initial=np.inf)
     return float(times[times <= confirmed].max(initial=0.0))
+
+
+def _sample_times(obs: Observations, process: int, writer: int) -> list[float]:
+    """Return when a process sent each sample of a user writer [s]."""
+    rows = np.flatnonzero((obs.sender_index == process) & (obs["writer"] == writer))
+    rows = rows[obs.isin("submessage", "DATA", "DATA_FRAG")[rows]]
+    _, first = np.unique(obs.seq[rows], return_index=True)
+    times: list[float] = obs.time[rows[first]].tolist()
+    return times
 
 
 def _first_sample_times(obs: Observations, process: int, to: int, writer: int) -> Array:

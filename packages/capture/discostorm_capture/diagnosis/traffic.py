@@ -191,13 +191,16 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         if count >= LIMITS.min_calls and (caller, host, port) not in tries:
             yield Finding.of("no way back", (caller,), host, count, port)
     without_session: dict[str, list[str]] = {}
+    closed: dict[str, list[str]] = {}
     spoke = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
     opened = obs.links_of(obs.messages[obs.isin("submessage", "OpenAck")])
     for (caller, host, port), count in tries.items():
         if count < LIMITS.min_calls or {(caller, host), (host, caller)} & opened:
             continue
         text = f"{caller} opened {count} connections to {host} at port {port}, and "
-        if (caller, host) in spoke:
+        if (caller, host) in spoke and host not in {one for one, _ in spoke}:
+            closed.setdefault(host, []).append(f"{text}each was closed without an answer")
+        elif (caller, host) in spoke:
             text += "each was closed before a session began"
             kind, versions = "session refused", obs.processes["version"]
             old, new = ({*versions[obs.process_host == end]} - {0} for end in (caller, host))
@@ -210,6 +213,8 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             yield Finding("wrong port", (caller,), text)
         elif port == ZENOH_PORT and obs.messages.empty:
             without_session.setdefault(host, []).append(f"{text}each ended before a session began")
+    for host, texts in closed.items():
+        yield Finding("no router behind", (host,), "; ".join(texts))
     for host, texts in without_session.items():
         yield Finding("TLS fails", (host,), "; ".join(texts))
     for (host, port, by_udp), rows in failed.items():
@@ -320,7 +325,7 @@ def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that pause again and again, but then confirm at once all that they were sent."""
     obs, times = evidence.obs, evidence.min_answer_times.items()
     acks, lacks = obs.isin("submessage", "ACKNACK"), obs["missing"] > 0
-    beats = obs.isin("submessage", "HEARTBEAT") & ~obs["multicast"]
+    beats = obs.isin("submessage", "HEARTBEAT") & ~obs["multicast"] & obs["holes"]
     for host in sorted({to for (_, to), time in times if time < LIMITS.max_read_delay}):
         own = obs.isin("sender", host)
         sent = np.unique(obs.time[own])
