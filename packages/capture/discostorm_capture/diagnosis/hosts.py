@@ -207,10 +207,13 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
     obs, expected = evidence.obs, evidence.obs.expected_hosts
     present = {str(host) for scope in evidence.scopes for host in scope.hosts}
     if isinstance(expected, int):
-        seen = sorted(present if obs.is_server.all() else present - obs.server_hosts)
+        seen = sorted(present - obs.server_hosts)
         if len(seen) < expected:
             text = f"the capture shows {len(seen)} of {expected} expected hosts"
-            yield Finding("too few hosts", (), f"{text}{': ' + join_names(seen) if seen else ''}")
+            text += f": {join_names(seen)}" if seen else ""
+            if apart := present & obs.server_hosts:
+                text += f", not counting {join_names(sorted(apart))}, which seems to be a server"
+            yield Finding("too few hosts", (), text)
     elif absent := tuple(host for host in expected or () if host not in present):
         silent = [host for host in absent if obs.network_events["sender"].eq(host).any()]
         text = f"{join_names(absent)} announced nothing; {len(expected or ())} hosts are expected"
