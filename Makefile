@@ -138,7 +138,7 @@ air: $(READY) build/ns3/.ready ## run real middleware on an emulated Wi-Fi cell 
 	@[ "$$GRID" != short ] || exec $(BIN)/python lab/air/measure_air.py --grid lab/grids/air_short.csv --once \
 		--out build/air/short $(ARGS)
 
-ills: build/lab/.ready ## capture sick and healthy fleets of real middleware (Debian, root; half an hour)
+ills: build/lab/.ready ## capture sick and healthy fleets of real middleware (Debian, root; an hour and a half)
 	@$(BIN)/python lab/measure/faults.py $(ARGS)
 	@$(BIN)/python lab/measure/unlisted_faults.py
 	@$(BIN)/python lab/measure/run_grid.py --grid lab/grids/faults_healthy.csv --out build/lab/ills_healthy --crowd 12

@@ -20,7 +20,7 @@ for program in cyclone_dds watch_cyclone_dds; do
     cc -O2 -Wall -Wextra -Ibuild/lab/idl -o build/lab/bin/$program lab/programs/$program.c \
         build/lab/idl/String_.c -lddsc
 done
-for program in fast_dds fast_dds_data fast_dds_load watch_fast_dds; do
+for program in fast_dds fast_dds_data fast_dds_load watch_fast_dds node_fast_dds; do
     c++ -std=c++17 -O2 -Wall -Wextra -o build/lab/bin/$program lab/programs/$program.cpp -lfastrtps -lfastcdr
 done
 sh lab/keystore.sh build/lab/keystore

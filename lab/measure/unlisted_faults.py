@@ -33,10 +33,12 @@ PROFILES = "FASTRTPS_DEFAULT_PROFILES_FILE"
 PROGRAMS_BY_WORD = {
     "DATA": [str(PYTHON), str(PROGRAMS / "user_data_process.py")],
     "NODE": [str(PYTHON), str(PROGRAMS / "node_cyclone_dds.py")],
+    "NODE_FAST": [str(BUILD / "bin" / "node_fast_dds")],
     "NODE_ZENOH": [str(PYTHON), str(PROGRAMS / "node_zenoh.py")],
     "ROUTER": ZENOH_ROUTER[:-1],
     "LINK": [str(PYTHON), str(PROGRAMS / "link.py")],
     "PEER": [str(PYTHON), str(PROGRAMS / "watch_zenoh.py")],
+    "TRAFFIC": [str(PYTHON), str(PROGRAMS / "other_traffic.py")],
 }
 #: Command that watches a fleet which already runs, and when it starts [s].
 WATCH = [str(Path(sys.executable).with_name("discostorm")), "watch", "-i", "br0", "--follow-fleet"]
