@@ -139,8 +139,11 @@ def jobs(only: list[str], out: Path, path: Path = TABLE) -> list[Job]:
 
 def answer(path: Path, fault: Job) -> tuple[str, str]:
     """Return the cause and the first action that the diagnosis names first."""
-    found = ds.read_capture(path).diagnosis(fault.get("expect")).findings
-    return (found[0].kind, found[0].remedy or "none") if found else ("nothing", "none")
+    found = ds.read_capture(path).diagnosis(fault.get("expect"))
+    # The order of the first sentence: what is wrong, then events with a headline.
+    headlines = [one for one in found.findings if one.role == "headline"]
+    first = [*found.wrong, *headlines, *found.findings][:1]
+    return (first[0].kind, first[0].remedy or "none") if first else ("nothing", "none")
 
 
 def answers(folder: Path, rules: str, number: int, only: list[str]) -> list[dict[str, Any]]:
