@@ -57,7 +57,8 @@ def letter_color(color: str) -> str:
         linear = np.where(mixed <= 0.04045, mixed / 12.92, ((mixed + 0.055) / 1.055) ** 2.4)
         if 1.05 / (linear @ (0.2126, 0.7152, 0.0722) + 0.05) >= _MIN_CONTRAST:
             break
-    return to_hex(mixed)
+    red, green, blue = mixed
+    return to_hex((red, green, blue))
 
 
 def name_rows_without_ticks(axis: Axes, ys: Any = None, names: Any = None, **look: Any) -> None:
