@@ -108,7 +108,8 @@ class Fleet:
 
         names = (*COUNTS, "shared", "wired")
         rows = [[getattr(group, name) for name in names] for group in self.groups]
-        return pd.DataFrame(rows, self.names, names).to_html(float_format="{:.6g}".format)
+        table = pd.DataFrame(rows, self.names, names)
+        return table.to_html(float_format=lambda value: f"{round(value, 2):g}")
 
     @classmethod
     def swarm(cls, hosts: Count, processes: Count, endpoints: Count) -> "Fleet":

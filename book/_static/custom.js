@@ -65,10 +65,11 @@ window.addEventListener("load", async () => {
   await window.MathJax?.startup?.promise;
   // The calculator makes its own boxes, when it likes, and sees to its keyboard itself.
   const FRAME = ".cell_output .text_html:has(table.dataframe)"; // a table of pandas, as a reader gets it
-  const boxes = document.querySelectorAll(`div.math, ${FIGURE}, ${TABLE}, ${FRAME}, .bd-article pre:not(.calc pre)`);
+  const MADE = ".lanes-table, .told-table"; // by scripts, which see to their keyboard themselves
+  const boxes = document.querySelectorAll(`div.math, ${FIGURE}, ${TABLE}, ${FRAME}, ${MADE}, .bd-article pre:not(.calc pre)`);
   // A wide table or output fades where it goes on; a line above it, or above a figure, says so.
   const atEnd = (box) => box.classList.toggle("ds-at-end", box.scrollLeft + box.clientWidth > box.scrollWidth - 2);
-  const HINTED = { table: `${TABLE}, ${FRAME}`, figure: FIGURE, output: ".cell_output pre", code: "pre" };
+  const HINTED = { table: `${TABLE}, ${FRAME}, ${MADE}`, figure: FIGURE, output: ".cell_output pre", code: "pre" };
   const hint = (box, wider) => {
     const what = Object.keys(HINTED).find((kind) => box.matches(HINTED[kind]));
     if (!what || box.classList.contains("ds-wider") === wider) return;
@@ -148,11 +149,12 @@ window.addEventListener("load", async () => {
       // Boxes that scroll sideways can be reached, and so scrolled, with the keyboard.
       const wider = isWider(box);
       if (wider) box.tabIndex = 0;
-      else box.removeAttribute("tabindex");
+      else if (!box.matches(MADE)) box.removeAttribute("tabindex");
       hint(box, wider);
     }
   });
   for (const box of boxes) observer.observe(box); // also when it is unfolded
+  addEventListener("ds-made", ({ detail: box }) => observer.observe(box));
 });
 
 // The page that is shown is in sight in the contents, below the links that stay at its head.

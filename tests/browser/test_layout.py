@@ -18,6 +18,12 @@ SEEN = """(selector) => [...document.querySelectorAll(selector)].map((element) =
     const found = document.elementFromPoint(left + width / 2, top + height / 2);
     return element === found || element.contains(found);
 })"""
+#: Returns by how much hints at sideways scrolling reach into what scrolls [px].
+COVERED_HINTS = """[...document.querySelectorAll(".ds-scroll-hint")].map((hint) => {
+    const after = hint.nextElementSibling;
+    const box = after.matches(".ds-wider") ? after : after.querySelector(".ds-wider");
+    return hint.getBoundingClientRect().bottom - box.getBoundingClientRect().top;
+})"""
 #: Sums up by how much what is seen moves while a page comes.
 MOVED = """
     window.moved = 0;
@@ -116,6 +122,21 @@ def test_one_switch_for_all_code_on_a_phone_too(browser: Browser, book: Path) ->
         assert not folded.first.is_visible()
         page.get_by_role("button", name="All code").click()
         assert folded.first.locator("pre").is_visible()
+
+
+@pytest.mark.book
+@pytest.mark.parametrize("name", ["03_hosts", "15b_what_to_change"])
+def test_hints_stand_above_what_scrolls_also_in_folds(
+    browser: Browser, book: Path, name: str
+) -> None:
+    with browser.new_page(viewport={"width": PHONE[0], "height": PHONE[1]}) as page:
+        page.goto((book / f"notebooks/{name}.html").as_uri())
+        page.evaluate(PAGE_TEXT)
+        page.evaluate("for (const fold of document.querySelectorAll('details')) fold.open = true")
+        page.locator("details.hide .ds-scroll-hint").first.wait_for()
+        covered = page.evaluate(COVERED_HINTS)
+    assert covered
+    assert max(covered) < 1
 
 
 def test_a_number_stays_with_its_unit() -> None:

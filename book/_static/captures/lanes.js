@@ -147,6 +147,7 @@ const LANES = (() => {
   function table(sets) {
     const box = make("div", { class: "lanes-table", tabindex: 0, role: "region", "aria-label": "Messages of all lanes" });
     const details = make("details", {}, make("summary", {}, "All messages as a table"), box);
+    dispatchEvent(new CustomEvent("ds-made", { detail: box })); // custom.js says if it scrolls sideways
     details.addEventListener("toggle", () => {
       if (!details.open || box.firstChild) return;
       const several = sets.length > 1;

@@ -38,7 +38,9 @@ const TOLD = (() => {
   function table(heads, lines, label) {
     const row = (tag, texts) => make("tr", {}, ...texts.map((text) => make(tag, tag === "th" ? { scope: "col" } : {}, String(text))));
     const body = make("tbody", {}, ...lines.map((line) => row("td", line)));
-    return make("div", { class: "told-table", tabindex: 0, role: "region", "aria-label": label }, make("table", { class: "table" }, make("thead", {}, row("th", heads)), body));
+    const box = make("div", { class: "told-table", tabindex: 0, role: "region", "aria-label": label }, make("table", { class: "table" }, make("thead", {}, row("th", heads)), body));
+    dispatchEvent(new CustomEvent("ds-made", { detail: box })); // custom.js says if it scrolls sideways
+    return box;
   }
 
   const sentence = (text) => (text ? `${text[0].toUpperCase()}${text.slice(1).replace(/\.$/, "")}. ` : "");
@@ -62,12 +64,13 @@ const TOLD = (() => {
     const name = (host, process) => `${host} ${process.slice(0, 12)}`;
     const line = (pair) => [name(pair.of, pair.of_process), name(pair.by, pair.by_process), time(pair.heard_s, "never"), pair.sent];
     const show = (some) => table(["process", "not fully known to", "answered [s]", "endpoints announced"], some.map(line), "Pairs that never completed");
-    const box = make("div", {}, make("h4", {}, `Pairs that never completed: ${incomplete.length} of ${pairs}`), show(incomplete.slice(0, DATA.most)));
+    const list = make("div", {}, show(incomplete.slice(0, DATA.most)));
+    const box = make("div", {}, make("h4", {}, `Pairs that never completed: ${incomplete.length} of ${pairs}`), list);
     if (incomplete.length > DATA.most) {
       const button = make("button", { type: "button" }, `Show all ${incomplete.length}`);
       button.addEventListener("click", () => {
         const whole = show(incomplete);
-        button.previousSibling.replaceWith(whole);
+        list.replaceChildren(whole); // also instead of what is said about it
         button.remove();
         whole.focus();
       });

@@ -14,7 +14,7 @@
   const bar = make("progress", { max: 1, hidden: "", "aria-label": "Simulating" });
   const told = make("p", { class: "line-told", role: "status" });
   const matrix = make("div", { class: "scrub-known" });
-  const time = CHAPTER.slider("time", "Time", 0, 0, 1, (row) => show(row), (row) => (trace ? shown(row) : ""));
+  const time = CHAPTER.slider("time", "Time", 0, 0, 1, (row) => trace && show(row), (row) => (trace ? shown(row) : ""));
   const slider = time.box.querySelector("input");
   const BUTTONS = [
     ["Previous frame", (row) => row - 1],

@@ -112,12 +112,13 @@ def airtime_by_length(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
         for _, own in dots.groupby("standard_us"):
             height = float(own["standard_us"].iloc[0])
             names, last = ", ".join(own["message"]), float(own["frame_B"].max())
-            if len(own) > 2:  # too long to stand on its step
-                look = {"arrowstyle": "-", "color": "0.45", "relpos": (0.3, 0)}
+            if len(own) > 2:  # too long to stand on its step: its line passes the next one's names
+                look = {"arrowstyle": "-", "color": "0.45", "relpos": (0.1, 0)}
                 lines, at = "\n".join(wrap(names, 20)), (own["frame_B"].min(), height)
-                axis.annotate(lines, at, (44, height + 9), fontsize=9, arrowprops=look)
+                axis.annotate(lines, at, (44, height + 12), fontsize=9, arrowprops=look)
             else:
-                write_text(axis, names, (last + 14, height), (0, 6), ha="right")
+                lines = names.replace(", ", ",\n")
+                write_text(axis, lines, (last + 11, height), (0, 6), ha="right", ma="left")
         axis.set(xlim=(40, 640), ylim=(180, 225))
         axis.set(xlabel="frame length [B]", ylabel="airtime of a unicast frame [µs]")
         axis.legend(loc="upper left")

@@ -72,7 +72,7 @@ def message_counts() -> Figure:
         sent.set_yticks(list(heads), heads.values(), minor=True)
         for axis in (sent, size):
             for tick, name in zip(axis.yaxis.get_minor_ticks(), heads.values(), strict=True):
-                tick.label1.set(color=COLORS[name], weight="bold")
+                tick.label1.set(color=drawing.letter_color(COLORS[name]), weight="bold")
         sent.set_ylim(ys[-1] + 0.6, -0.6)
         sent.set(xscale="log", xlim=(0.35, 250), xlabel="sent for each one that the paper counts")
         size.set(xscale="log", xlim=(2, 900), xlabel="payload [B]")

@@ -135,7 +135,8 @@ def drain_times(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figur
             end = bound[bound["steady state"] < _STEADY_MAX].iloc[-1]
             # Only the last has room at the left.
             across, side = (-12, "right") if product is products[-1] else (5, "left")
-            look = {"color": color, "ha": side, "va": "center", "annotation_clip": False}
+            look = {"color": drawing.letter_color(color), "ha": side, "va": "center"}
+            look |= {"annotation_clip": False}
             at = (end["hosts"], end["steady state"])
             write_text(below, product.name, at, (across, -3), **look)
         for limit, text in _TIME_LIMITS.items():
