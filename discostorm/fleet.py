@@ -108,8 +108,7 @@ class Fleet:
 
         names = (*COUNTS, "shared", "wired")
         rows = [[getattr(group, name) for name in names] for group in self.groups]
-        table = pd.DataFrame(rows, self.names, names)
-        return table.to_html(float_format=lambda value: f"{round(value, 2):g}")
+        return pd.DataFrame(rows, self.names, names).round(2).to_html(float_format="{:g}".format)
 
     @classmethod
     def swarm(cls, hosts: Count, processes: Count, endpoints: Count) -> "Fleet":

@@ -117,8 +117,7 @@ def airtime_by_length(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
                 lines, at = "\n".join(wrap(names, 20)), (own["frame_B"].min(), height)
                 axis.annotate(lines, at, (44, height + 12), fontsize=9, arrowprops=look)
             else:
-                lines = names.replace(", ", ",\n")
-                write_text(axis, lines, (last + 11, height), (0, 6), ha="right", ma="left")
+                write_text(axis, names.replace(" ", "\n"), (last + 11, height), (0, 6), ha="right")
         axis.set(xlim=(40, 640), ylim=(180, 225))
         axis.set(xlabel="frame length [B]", ylabel="airtime of a unicast frame [µs]")
         axis.legend(loc="upper left")

@@ -8,7 +8,6 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
-from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
@@ -20,8 +19,6 @@ PLAIN_NUMBERS = FuncFormatter(lambda value, _: f"{value:g}")
 Style = dict[str, Any]
 #: The look of a reference line, such as a lease.
 LIMIT_LINE: Style = {"color": "gray", "linewidth": 0.8}
-#: Least contrast of small letters with their ground, by WCAG 2.2 [1].
-_MIN_CONTRAST = 4.5
 
 
 @contextmanager
@@ -39,26 +36,6 @@ def write_text(
 ) -> None:
     """Write small words beside a point of a panel; the offset is in points of type."""
     axis.annotate(text, at, offset, textcoords="offset points", **{"fontsize": 9, **look})
-
-
-def letter_color(color: str) -> str:
-    """Return a color of lines as it is for letters: as much darker as they need on white.
-
-    It is mixed with black, so that the build finds its dark one: ``book/_ext/dark.py``.
-
-    Examples
-    --------
-    >>> letter_color("#0072B2"), letter_color("#E69F00")
-    ('#0072b2', '#956700')
-    """
-    parts = np.array(to_rgb(color))
-    for share in np.arange(0, 1, 0.05):
-        mixed = (1 - share) * parts
-        linear = np.where(mixed <= 0.04045, mixed / 12.92, ((mixed + 0.055) / 1.055) ** 2.4)
-        if 1.05 / (linear @ (0.2126, 0.7152, 0.0722) + 0.05) >= _MIN_CONTRAST:
-            break
-    red, green, blue = mixed
-    return to_hex((red, green, blue))
 
 
 def name_rows_without_ticks(axis: Axes, ys: Any = None, names: Any = None, **look: Any) -> None:

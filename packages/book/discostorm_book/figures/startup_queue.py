@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
@@ -129,16 +130,15 @@ def drain_times(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figur
             rows, color = data[data["product"] == product.name], color_of(product)
             bound, exact = rows[rows["steady state"].notna()], rows[rows["idle_after_s"].notna()]
             above.plot(bound["hosts"], bound["at_most_s"], line, color=color)
-            look: Style = {"color": color, "fillstyle": "none", "ms": 4}
-            above.plot(exact["hosts"], exact["idle_after_s"], "o", **look)
+            above.plot(exact["hosts"], exact["idle_after_s"], "o", color=color, mfc="none", ms=4)
             below.plot(bound["hosts"], bound["steady state"], line, color=color)
             end = bound[bound["steady state"] < _STEADY_MAX].iloc[-1]
             # Only the last has room at the left.
             across, side = (-12, "right") if product is products[-1] else (5, "left")
-            look = {"color": drawing.letter_color(color), "ha": side, "va": "center"}
-            look |= {"annotation_clip": False}
+            dark = [0.65 * part for part in to_rgb(color)]  # as letters on white need it
+            look: Style = {"color": dark, "ha": side, "va": "center"}
             at = (end["hosts"], end["steady state"])
-            write_text(below, product.name, at, (across, -3), **look)
+            write_text(below, product.name, at, (across, -3), annotation_clip=False, **look)
         for limit, text in _TIME_LIMITS.items():
             above.axhline(limit, **drawing.LIMIT_LINE)
             side = "top" if limit == 10 else "bottom"
