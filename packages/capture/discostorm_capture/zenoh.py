@@ -83,12 +83,12 @@ def dissect_zenoh(
         *_dissect_tcp_sessions(data, streams, seen),
     )
     names = [f"{int.from_bytes(zid, 'little'):x}" for zid in seen.zids.ids]  # as Zenoh writes it
-    domains, found = dict[str, int](), dict[bytes, tuple[str, Endpoint | None]]()
+    domains, found = defaultdict[str, set[int]](set), dict[bytes, tuple[str, Endpoint | None]]()
     for _, declares, match in sorted(seen.ros_tokens, key=itemgetter(0)):
         # A router forwards tokens of other processes, whose own sessions may not be captured.
         session = match["session"].decode()
         name = session if session in names else [*names, ""][declares]
-        domains[session] = int(match["domain"])
+        domains[name].add(int(match["domain"]))
         found.setdefault(match[0], (name, endpoint_of_ros_token(match)))
     first = first_seen(seen.sightings, ip.is_loopback(transport.addresses))
     processes = {}
@@ -106,7 +106,7 @@ def dissect_zenoh(
             is_server=is_router,
             counts_publishers=tokens > 0,
             announced_addresses=tuple(sorted(seen.listening_addresses[id_])),
-            domain=domains.get(name, -1),
+            domain=max(domains[name]) if len(domains[name]) == 1 else -1,
             version=seen.versions.get(id_, 0),
         )
     ros = {(name, index): (0, end) for index, (name, end) in enumerate(found.values())}

@@ -144,7 +144,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "router_hangs",
             "the router on 10.77.0.101 hangs",
-            "he router at 10.77.0.101 sent nothing after 8.4 s",
+            "10.77.0.101 sent nothing but TCP acknowledgments after 8.4 s",
             "Restart the router at 10.77.0.101",
         ),
         (

@@ -320,6 +320,11 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
             "Keep the server at 10.77.0.1 running",
         ),
         (
+            "roams_longer_than_lease",
+            "10.77.0.2 sent nothing for a while and came back, although its process kept running.",
+            "Check the radio of 10.77.0.2: roaming",
+        ),
+        (
             "cable_pulled",  # no process that ended: its host refuses nothing
             "10.77.0.2 fell silent, and answers nothing anymore, so it is off or disconnected.",
             "Check whether 10.77.0.2 is on and connected (battery, Wi-Fi, cable)",
@@ -384,6 +389,27 @@ def test_what_may_be_meant_is_said_above_a_healthy_fleet(
             "10.77.0.4",
             "(10.77.0.4 for 10.77.0.1: 18)",
             "Turn client isolation (AP isolation) off",
+        ),
+        (
+            "guest_wifi",  # Zenoh never gets a connection
+            "client isolation",
+            "10.77.0.1",
+            "though all of these hosts exchange packets with 10.77.0.101",
+            "Turn client isolation (AP isolation) off",
+        ),
+        (
+            "laptop_domain_77",  # a router on each host, which tells the endpoints of its host
+            "two domains",
+            "10.77.0.4",
+            "domain 77 has 10.77.0.4",
+            "If all hosts should discover each other, set the same ROS_DOMAIN_ID",
+        ),
+        (
+            "planner_frozen",
+            "process hangs",
+            "10.77.0.2",
+            "10.77.0.2 sent nothing but TCP acknowledgments after 9.0 s, though others sent it 176",
+            "On 10.77.0.2, look at the process",
         ),
         (
             "static_address_typo",  # it is heard, but hears no other
@@ -583,6 +609,7 @@ def test_a_sample_that_is_sent_again_does_not_set_the_clock_back() -> None:
         "healthy_cable_and_wifi",  # one host has two addresses in the network
         "healthy_server_and_data",  # a server sends samples only to those that they concern
         "topics_of_1_hz",  # one host pauses for just over a second, again and again
+        "healthy_peers_of_hub",  # the router's lease is long, so that it says little
         "healthy_delay_of_a_second",  # who asks again has not yet got what was sent
     ],
 )
@@ -600,6 +627,14 @@ def test_a_fleet_with_odd_but_sound_services_shutdowns_and_routers_is_healthy() 
     )
     night = diagnosis("healthy_night_shutdown")  # withdrawn endpoints stay readable
     assert (night.healthy, night.findings) == (True, ())
+
+
+def test_a_laptop_that_left_need_not_know_the_one_that_came() -> None:
+    found = diagnosis("healthy_shift_change")  # both send commands, one after the other
+    assert (found.healthy, [one.kind for one in found.findings]) == (
+        True,
+        ["left", "late joiner"],
+    )
 
 
 def test_a_host_that_was_not_counted_as_a_server_is_named() -> None:

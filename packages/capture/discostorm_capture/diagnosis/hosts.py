@@ -154,6 +154,27 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
         yield Finding.of("clock differs", hosts, said)
 
 
+def isolated_hosts(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that ask by ARP in vain for a host, though all of them reach a third one."""
+    obs = evidence.obs
+    talks: dict[str, set[str]] = {}
+    for one, other in obs.links_of(obs.events("other traffic", "connection", "exchange")):
+        talks.setdefault(one, set()).add(other)
+        talks.setdefault(other, set()).add(one)
+    vain: dict[str, dict[str, int]] = {}
+    for (asker, target), times in obs.unanswered_arp.items():
+        often = len(times) >= LIMITS.min_unanswered and np.ptp(times) >= LIMITS.timeout
+        if often and talks.get(asker, set()) & talks.get(target, set()):
+            vain.setdefault(target, {})[asker] = len(times)
+    for target, asks in vain.items():
+        if len(asks) > 1:
+            counts = join_names([f"{of}: {count}" for of, count in asks.items()])
+            common = sorted(set.intersection(*(talks[one] for one in (target, *asks))))
+            if common:
+                text = say("isolated", target, counts, common)
+                yield Finding("client isolation", (target, *asks), text)
+
+
 def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
     """Yield addresses that hosts request by ARP: servers, if the capture has no messages."""
     obs = evidence.obs

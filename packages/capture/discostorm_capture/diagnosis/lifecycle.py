@@ -64,12 +64,42 @@ def paused_servers(evidence: Evidence) -> Iterator[Finding]:
         if vain.sum() >= LIMITS.min_unanswered_messages:
             times = before[vain][0], after[vain][0]
             yield Finding.of("server away", (host,), *times, vain.sum())
+
+
+def hanging_processes(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts whose only Zenoh process sends nothing, while its system acknowledges TCP."""
+    obs = evidence.obs
+    zenoh = np.flatnonzero(~obs.is_rtps).tolist()
+    for host, (process, *more) in obs.processes_by_host(zenoh).items():
+        by_it, serves = obs.isin("sender", host), process in obs.servers
         said = obs.time[by_it & obs.isin("protocol", "Zenoh")]
-        if len(said) >= LIMITS.min_steady_messages and np.ptp(said) >= LIMITS.timeout:
-            silence, count = spoke[-1] - said[-1], (asked > said[-1]).sum()
-            usual = max(LIMITS.max_pause, LIMITS.repeat_factor * np.diff(said).max())
-            if silence > usual and count >= LIMITS.min_unanswered_messages:
-                yield Finding.of("hangs", (host,), said[-1], count)
+        steady = len(said) >= LIMITS.min_steady_messages and np.ptp(said) >= LIMITS.timeout
+        if more or not steady:
+            continue
+        # The lease of a router may be long, so that KeepAlives to it need no answer for long.
+        wants = obs.isin("receiver", host) & ~(obs.isin("kind", "KeepAlive") & serves)
+        count = (obs.time[wants & ~obs.isin("protocol", "TCP")] > said[-1]).sum()
+        usual = max(LIMITS.max_pause, LIMITS.repeat_factor * np.diff(said).max())
+        if obs.time[by_it].max() - said[-1] > usual and count >= LIMITS.min_unanswered_messages:
+            kind = "hangs" if serves else "process hangs"
+            yield Finding(kind, (host,), say("hangs", host, said[-1], count))
+
+
+def absent_hosts(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that sent nothing for a while, although others kept sending to them."""
+    obs, (first, last) = evidence.obs, evidence.obs.first_last
+    for host in {*obs.host_first_last} - obs.server_hosts:
+        spoke = np.unique(obs.time[obs.isin("sender", host)])
+        if len(spoke) < LIMITS.min_steady_messages:
+            continue
+        pauses = np.diff(spoke)
+        begin, end = spoke[pauses.argmax()], spoke[pauses.argmax() + 1]
+        asks = obs.time[obs.isin("receiver", host) & ~obs.isin("submessage", "ACKNACK")]
+        count = int(((asks > begin + LIMITS.max_transit) & (asks < end)).sum())
+        stays = (obs.process_host == host) & (first < begin) & (last > end)
+        enough = max(LIMITS.max_pause, LIMITS.min_pause_ratio * np.sort(pauses)[-2])
+        if end - begin > enough and count >= LIMITS.min_unanswered_messages and stays.any():
+            yield Finding.of("away", (host,), begin, end, count)
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:

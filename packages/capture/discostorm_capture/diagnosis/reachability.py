@@ -39,11 +39,18 @@ def reachability(
     hosts = obs.hosts_of(member for member in scope.members if member in announced)
     hosts = scouting_hosts(obs) if scope.protocol == "Zenoh" else hosts
     observable, *heard = np.zeros((4, len(hosts), len(hosts)), bool)
+    # After its last goodbye, a host is not there.
+    gone = obs["ends"] & obs.isin("kind", "SPDP", "Close")
+    left = {host: obs.time[gone & obs.isin("sender", host)].max(initial=-np.inf) for host in hosts}
     for row, column in np.ndindex(observable.shape):
         # Both hosts must be present for long enough, and their unicast captured.
         pair = hosts[row], hosts[column]
         begin = max(obs.host_first_last[host][0] for host in pair)
-        stop = min(obs.end, *(obs.host_first_last[host][1] + LIMITS.max_pause for host in pair))
+        ends = [obs.host_first_last[host][1] for host in pair]
+        waits = [
+            LIMITS.max_pause * (left[host] < end) for host, end in zip(pair, ends, strict=True)
+        ]
+        stop = min(obs.end, *(end + wait for end, wait in zip(ends, waits, strict=True)))
         if row != column and pair not in unobservable and stop - begin >= LIMITS.timeout:
             observable[row, column] = obs.sees_unicast(*pair)
     reach = Reachability(hosts, observable, *heard)

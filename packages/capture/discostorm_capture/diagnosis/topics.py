@@ -50,7 +50,9 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
             kind = "robots share topics" if " is read by " in text else "sources share topics"
             yield Finding(kind, tuple(sorted({*np.hstack([*shared])})), text)
     for (use, _, topic), rows in wrote:
-        if use in FINDINGS_BY_USE and len(by := rows["host"].unique()) > 1:
+        begins, ends_at = (times[rows["index"]] for times in evidence.obs.first_last)
+        at_once = begins.max() < ends_at.min()
+        if use in FINDINGS_BY_USE and len(by := rows["host"].unique()) > 1 and at_once:
             text = f"{ros_topic(str(topic))} is written by {join_names(by)}"
             yield Finding(FINDINGS_BY_USE[use], tuple(by), text)
 
