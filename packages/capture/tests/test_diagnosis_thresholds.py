@@ -329,7 +329,7 @@ def test_a_topic_that_stops_is_an_event_if_its_writer_stays() -> None:
     (found,) = (one for one in stopped.findings if one.kind != "away")
     assert (found.kind, found.hosts, stopped.healthy) == ("topic stops", ("10.77.0.3",), True)
     assert "samples of /a_rather_long_topic_name_of_a_robot_0 from 0.0 s to 19." in found.evidence
-    assert "check the sensor or other source behind it" in stopped.summary()
+    assert "check the sensor or other source behind it" in found.advice
 
 
 def test_a_process_that_deletes_none_of_its_many_endpoints_is_named() -> None:
