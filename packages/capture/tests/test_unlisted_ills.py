@@ -609,6 +609,7 @@ def test_a_sample_that_is_sent_again_does_not_set_the_clock_back() -> None:
         "healthy_cable_and_wifi",  # one host has two addresses in the network
         "healthy_server_and_data",  # a server sends samples only to those that they concern
         "topics_of_1_hz",  # one host pauses for just over a second, again and again
+        "healthy_best_effort_reader",  # answers no Heartbeat
         "healthy_peers_of_hub",  # the router's lease is long, so that it says little
         "healthy_delay_of_a_second",  # who asks again has not yet got what was sent
     ],

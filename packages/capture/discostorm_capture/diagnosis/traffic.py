@@ -332,7 +332,12 @@ def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
         long = np.flatnonzero(np.diff(sent) > LIMITS.min_hang)
         pause = sent[long], sent[long + 1]
         after = pause[1], pause[1] + LIMITS.max_burst_pause
-        to_it = beats & obs.isin("receiver", host)
+        # A best-effort reader never answers.
+        reads = obs.rows_by(own & acks, obs.receiver_index, obs["writer"])
+        rows = obs.rows_by(beats & obs.isin("receiver", host), obs.sender_index, obs["writer"])
+        to_it = np.sort(np.concatenate([[], *(rows[one] for one in rows if one in reads)])).astype(
+            int
+        )
         spans = (to_it, pause), (own & acks & ~lacks, after), (own & acks & lacks, after)
         asked, good, bad = (
             np.diff(np.searchsorted(obs.time[of], at), axis=0)[0] for of, at in spans
