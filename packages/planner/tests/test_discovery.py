@@ -468,7 +468,7 @@ def test_a_fleet_that_is_not_simulated_has_its_drain_time_and_says_why() -> None
     said = " ".join(plan.advice().split())
     assert said.startswith("No: 100,000 hosts never complete discovery")
     assert "Not simulated: " in said
-    assert "No change is enough: after each one, periodic traffic alone" in said
+    assert "No change is enough: with each of them, periodic traffic alone still" in said
     assert "year" not in said + " ".join(plan.why().split()).replace("more than a year", "")
 
 

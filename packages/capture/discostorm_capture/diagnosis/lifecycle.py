@@ -88,7 +88,7 @@ def hanging_processes(evidence: Evidence) -> Iterator[Finding]:
 def absent_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that sent nothing for a while, although others kept sending to them."""
     obs, (first, last) = evidence.obs, evidence.obs.first_last
-    for host in {*obs.host_first_last} - obs.server_hosts:
+    for host in filter(lambda one: one not in obs.server_hosts, obs.host_first_last):
         spoke = np.unique(obs.time[obs.isin("sender", host)])
         if len(spoke) < LIMITS.min_steady_messages:
             continue
