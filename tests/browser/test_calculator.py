@@ -1279,7 +1279,7 @@ def test_the_changes_are_those_of_the_release() -> None:
     """Kilted ships the same table as Lyrical, but other servers, and Cyclone DDS before 11."""
     found: Any = offered_changes.table_changes_by_release(PROTOCOLS["Fast DDS 3.6"])
     assert found.keys() == {"any", "kilted"}
-    for ros, cyclone in (("any", "Cyclone DDS, version 11"), ("kilted", "Cyclone DDS")):
+    for ros, cyclone in (("any", "Cyclone DDS 11"), ("kilted", "Cyclone DDS")):
         fleet = ds.Fleet((of_ros2((3, 2, 20), None),), ros=ros if ros != "any" else None)
         plan = ds.plan(fleet, PROTOCOLS["Fast DDS 3.6"])
         whats = {row[1] for row in found[ros]}

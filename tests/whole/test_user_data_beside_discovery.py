@@ -326,7 +326,7 @@ def test_a_multicast_sample_is_a_copy_for_each_over_tcp_and_is_not_acknowledged(
             for to in ("multicast", "all others")
         )
         assert multicast == each
-    with pytest.raises(ValueError, match="reliable must be False with multicast"):
+    with pytest.raises(ValueError, match="reliable must be false with multicast"):
         sample(100, True, "multicast")
 
 

@@ -588,7 +588,7 @@
     const { today, reason } = found;
     const name = channel.name === OWN ? "your own channel" : DiscoveryTimes.inWords(channel.name);
     const { name: protocol, protocol: { caution, ratios } } = front;
-    const wifi = swarm.cells > 1 ? `${name} at ${FleetFile.joined(swarm.cells)}` : name;
+    const wifi = swarm.cells > 1 ? `${name} in ${FleetFile.joined(swarm.cells)}` : name;
     // Too many processes for the page to count those of each cell, as the command does.
     if (byCell(swarm) && !found.airtime) return { grade: 1, title: DiscoveryTimes.say("not simulated", { reason }), lines: [] };
     const busy = byCell(swarm) ? busiest(settings, found) : { drain: Math.min(front.full.drain, front.drain), steady: front.full.steady };

@@ -52,7 +52,7 @@ def test_namespaces_with_the_same_nodes_are_robots() -> None:
     robots, rest = fleet.groups
     assert (robots.name, robots.hosts, robots.processes) == ("robot_1 to robot_2", 2, 2)
     assert rest.counts() == (1, 1, NODE + 8 + 2)
-    assert any("same node names as 2 robots" in note for note in notes)
+    assert any("have the same node names, so we count 2 robots" in note for note in notes)
     together, _ = fleet_from_graph(seen, hosts=1)
     assert [group.processes for group in together.groups] == [5]
 
