@@ -121,6 +121,7 @@ def _dissect_all(
         zenoh.dissect_zenoh(carried, scouts, others, streams, notes),
     ]
     frames = np.concatenate([part.messages["frame"] for part in dissections])
+    both = datagrams, segments
     return dissections, concat(
         carried.network_events,
         network_events.two_way_exchanges(others),
@@ -128,11 +129,8 @@ def _dissect_all(
         network_events.connection_events(streams),
         network_events.arrived_and_vanished_segments(streams),
         *map(network_events.addressed_ports, (messages, scouts)),
-        *(network_events.other_traffic(of, frames) for of in (datagrams, segments)),
-        *(
-            network_events.mac_addresses(take_rows(of, ~copies[of["frame"]]))
-            for of in (datagrams, segments)
-        ),
+        *(network_events.other_traffic(of, frames) for of in both),
+        *(network_events.mac_addresses(take_rows(of, ~copies[of["frame"]])) for of in both),
     )
 
 

@@ -36,7 +36,7 @@ def find_losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], A
         sent, lost = sent + count, [*lost, *frames]
         ends.update(dict.fromkeys(obs.hosts_of((subject, observer)), len(frames)))
         total.update(dict.fromkeys(obs.hosts_of((subject, observer)), count))
-    hosts = [obs.indices_among(end, [*obs.host_first_last]) for end in ("sender", "receiver")]
+    hosts = [obs.indices_among(end, [*obs.host_first_last]) for end in ENDS]
     first, last = np.array([*obs.host_first_last.values(), (0.0, np.inf)]).T
     # Leave out segments from or to a host that has ended: it acknowledges nothing.
     tcp = (obs.time > first[hosts].max(axis=0) + LIMITS.startup_time) & obs.isin("transport", "TCP")

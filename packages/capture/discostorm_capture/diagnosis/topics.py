@@ -171,9 +171,12 @@ def missed_samples(evidence: Evidence) -> Iterator[Finding]:
     pairs = kept.merge(late, on=["scope", "topic", "type"], suffixes=("", "_by"))
     names = ["topic", "index", "entity", "host", "index_by", "host_by"]
     for topic, process, writer, host, reader, by in pairs[names].itertuples(index=False, name=None):
-        times, begin = _sample_times(obs, process, writer), begins[reader]
-        if times and max(times) < begin < obs.end - LIMITS.timeout and host != by:
-            text = say("missed samples", ros_topic(topic), host, max(times), by, begin)
+        begin = begins[reader]
+        if host == by or begin >= obs.end - LIMITS.timeout:
+            continue
+        last = _first_sample_times(obs, process, writer).max(initial=-np.inf)
+        if -np.inf < last < begin:
+            text = say("missed samples", ros_topic(topic), host, last, by, begin)
             texts.setdefault(by, {})[text] = None
     for host, said in texts.items():
         yield Finding("missed samples", (host,), "; ".join(said))
@@ -187,8 +190,10 @@ def silent_services(evidence: Evidence) -> Iterator[Finding]:
         asking, serving, replying = (
             ends.get((service, *role), []) for role in (("rq", True), ("rq", False), ("rr", True))
         )
-        replies = [t for one, entity, _ in replying for t in _sample_times(obs, one, entity)]
-        asks = [t for one, entity, _ in asking for t in _sample_times(obs, one, entity)]
+        replies, asks = (
+            [t for one, entity, _ in of for t in _first_sample_times(obs, one, entity).tolist()]
+            for of in (replying, asking)
+        )
         lasts = len(asks) >= LIMITS.min_calls and np.ptp(asks) >= LIMITS.timeout
         for host in obs.hosts_of(one for one, *_ in serving) if lasts and not replies else ():
             by = obs.hosts_of(one for one, *_ in asking)
@@ -337,10 +342,10 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
             if len(names) < 2 or len(asks) != 1 or (client, asks[0]) not in sends:
                 continue
             announced = _confirmed_announcement_time(obs, client, server, number)
-            requests = _first_sample_times(obs, client, server, asks[0])
+            requests = _first_sample_times(obs, client, asks[0], server)
             early = requests[requests < announced - LIMITS.max_blocking_time]
             later = requests[len(early) :].min(initial=np.inf)
-            times = _first_sample_times(obs, server, client, replies)
+            times = _first_sample_times(obs, server, replies, client)
             missing = len(early) - int(np.sum((times >= early.min(initial=0)) & (times < later)))
             if missing > 0:
                 text = say("early request", service, *names, early[0], announced - early[0])
@@ -372,19 +377,13 @@ def _confirmed_announcement_time(obs: Observations, process: int, to: int, numbe
     return float(times[times <= confirmed].max(initial=0.0))
 
 
-def _sample_times(obs: Observations, process: int, writer: int) -> list[float]:
-    """Return when a process sent each sample of a user writer [s]."""
-    rows = np.flatnonzero((obs.sender_index == process) & (obs["writer"] == writer))
-    rows = rows[obs.isin("submessage", "DATA", "DATA_FRAG")[rows]]
-    _, first = np.unique(obs.seq[rows], return_index=True)
-    times: list[float] = obs.time[rows[first]].tolist()
-    return times
-
-
-def _first_sample_times(obs: Observations, process: int, to: int, writer: int) -> Array:
-    """Return when a process first sent each sample of a user writer to another one [s]."""
+def _first_sample_times(
+    obs: Observations, process: int, writer: int, to: int | None = None
+) -> Array:
+    """Return when a process first sent each sample of a user writer, to one process or any [s]."""
     data = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs["writer"] == writer)
-    rows = np.flatnonzero(data & _messages_between(obs, process, to))
+    data &= obs.sender_index == process if to is None else _messages_between(obs, process, to)
+    rows = np.flatnonzero(data)
     _, first = np.unique(obs.seq[rows], return_index=True)
     return np.asarray(obs.time[rows[first]])
 
