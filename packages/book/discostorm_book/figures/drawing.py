@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
@@ -36,6 +37,11 @@ def write_text(
 ) -> None:
     """Write small words beside a point of a panel; the offset is in points of type."""
     axis.annotate(text, at, offset, textcoords="offset points", **{"fontsize": 9, **look})
+
+
+def letter_color(color: str) -> list[float]:
+    """Return the darker tone of a color that thin letters on white need."""
+    return [0.65 * part for part in to_rgb(color)]
 
 
 def name_rows_without_ticks(axis: Axes, ys: Any = None, names: Any = None, **look: Any) -> None:

@@ -5,7 +5,6 @@ from collections.abc import Mapping
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
-from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, MaxNLocator, PercentFormatter
@@ -73,8 +72,7 @@ def message_counts() -> Figure:
         sent.set_yticks(list(heads), heads.values(), minor=True)
         for axis in (sent, size):
             for tick, name in zip(axis.yaxis.get_minor_ticks(), heads.values(), strict=True):
-                dark = [0.65 * part for part in to_rgb(COLORS[name])]  # as letters on white need it
-                tick.label1.set(color=dark, weight="bold")
+                tick.label1.set(color=drawing.letter_color(COLORS[name]), weight="bold")
         sent.set_ylim(ys[-1] + 0.6, -0.6)
         sent.set(xscale="log", xlim=(0.35, 250), xlabel="sent for each one that the paper counts")
         size.set(xscale="log", xlim=(2, 900), xlabel="payload [B]")

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
@@ -135,8 +134,7 @@ def drain_times(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figur
             end = bound[bound["steady state"] < _STEADY_MAX].iloc[-1]
             # Only the last has room at the left.
             across, side = (-12, "right") if product is products[-1] else (5, "left")
-            dark = [0.65 * part for part in to_rgb(color)]  # as letters on white need it
-            look: Style = {"color": dark, "ha": side, "va": "center"}
+            look: Style = {"color": drawing.letter_color(color), "ha": side, "va": "center"}
             at = (end["hosts"], end["steady state"])
             write_text(below, product.name, at, (across, -3), annotation_clip=False, **look)
         for limit, text in _TIME_LIMITS.items():
