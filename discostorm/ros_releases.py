@@ -35,8 +35,8 @@ def shipped_table(name: str, ros: str | None = None) -> str:
     if name in shipped or name in shipped.values():
         return shipped.get(name, name)
     if given and name in of_product:
-        such = f"such as {shipped[of_product[name]]!r}"
-        raise ValueError(f"protocol must be one that ROS 2 {ros} ships, {such}; got {name!r}")
+        such = f"ROS 2 {ros.capitalize()} ships, such as {shipped[of_product[name]]!r}"
+        raise ValueError(f"protocol must be one that {such}; got {name!r}")
     return name
 
 
@@ -54,7 +54,7 @@ def nearest_release_note(table: str, ros: str) -> str:
     for row in read_data("vendors/ros.csv"):
         if (row["ros"], row["protocol"]) == (ros, table) and row["shipped"] != fitted[table]:
             return (
-                f"ROS 2 {ros} ships {row['product']} {row['shipped']}. The nearest release that "
-                f"our model is fitted to is {fitted[table]}."
+                f"ROS 2 {ros.capitalize()} ships {row['product']} {row['shipped']}. The nearest "
+                f"release that our model is fitted to is {fitted[table]}."
             )
     return ""

@@ -170,7 +170,7 @@ def test_the_nearest_release_is_named_where_another_one_was_measured(
     ros: str, written: str, versions: tuple[str, ...]
 ) -> None:
     done = run("utilization", *SWARM, "--ros", ros, "--protocol", written, "--json")
-    assert done.stderr.count(f"ROS 2 {ros} ships") == bool(versions)
+    assert done.stderr.count(f"ROS 2 {ros.capitalize()} ships") == bool(versions)
     assert all(version in done.stderr for version in versions)
 
 
@@ -201,7 +201,7 @@ def test_each_shipped_table_is_there() -> None:
         (("--ros", "foxy"), "ros must be 'humble', 'jazzy', 'kilted' or 'lyrical'; got 'foxy'"),
         (
             ("--ros", "jazzy", "--protocol", "Fast DDS 3.6"),
-            "ROS 2 jazzy ships, such as 'Fast DDS 2.14'; got 'Fast DDS 3.6'",
+            "ROS 2 Jazzy ships, such as 'Fast DDS 2.14'; got 'Fast DDS 3.6'",
         ),
     ],
 )

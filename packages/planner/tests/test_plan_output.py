@@ -71,7 +71,7 @@ def test_what_is_repeated_and_fills_the_channel_is_said_first_and_no_window_is_a
     found = remedy(small, "staggered start")
     start = found.before - small.steady
     assert found.start_window == pytest.approx(start / (1 - small.steady))
-    assert "does not fit:" not in small.why()
+    assert "The periodic traffic alone" not in small.why()
 
 
 @pytest.mark.parametrize("name", ds.PROTOCOLS)
