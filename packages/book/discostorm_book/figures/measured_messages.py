@@ -70,9 +70,6 @@ def message_counts() -> Figure:
             size.plot(row["paper_B"], y, "|", color=_PAPER_GRAY, ms=9, mew=1.5, zorder=1.5)
         sent.set_yticks(ys, data["message"])
         sent.set_yticks(list(heads), heads.values(), minor=True)
-        for axis in (sent, size):
-            for tick, name in zip(axis.yaxis.get_minor_ticks(), heads.values(), strict=True):
-                tick.label1.set(color=drawing.letter_color(COLORS[name]), weight="bold")
         sent.set_ylim(ys[-1] + 0.6, -0.6)
         sent.set(xscale="log", xlim=(0.35, 250), xlabel="sent for each one that the paper counts")
         size.set(xscale="log", xlim=(2, 900), xlabel="payload [B]")
@@ -81,6 +78,8 @@ def message_counts() -> Figure:
         for axis in (sent, size):
             drawing.name_rows_without_ticks(axis)
             axis.tick_params(axis="y", which="minor", length=0)
+            for tick, name in zip(axis.yaxis.get_minor_ticks(), heads.values(), strict=True):
+                tick.label1.set(color=drawing.letter_color(COLORS[name]), weight="bold")
     return figure
 
 

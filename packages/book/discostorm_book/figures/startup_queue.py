@@ -137,10 +137,9 @@ def drain_times(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figur
             look: Style = {"color": drawing.letter_color(color), "ha": side, "va": "center"}
             at = (end["hosts"], end["steady state"])
             write_text(below, product.name, at, (across, -3), annotation_clip=False, **look)
-        for limit, text in _TIME_LIMITS.items():
-            above.axhline(limit, **drawing.LIMIT_LINE)
-            side = "top" if limit == 10 else "bottom"
-            above.text(55, limit, text, ha="right", va=side, fontsize=9)
+        for time, text in _TIME_LIMITS.items():
+            above.axhline(time, **drawing.LIMIT_LINE)
+            above.text(55, time, text, ha="right", va="top" if time == 10 else "bottom", fontsize=9)
         below.axhline(1, **drawing.LIMIT_LINE)
         above.set(yscale="log", ylim=(0.05, 1000), xlim=(0, 56), ylabel="drain time [s]")
         above.yaxis.set_major_formatter(drawing.PLAIN_NUMBERS)
