@@ -139,7 +139,7 @@ UNIT_PATTERN = r"(?:[mµn]?s|[kMG]?i?B|[MG]?Hz|Mbit/s|(?:second|minute|hour|day|
 
 def no_break_spaces(text: str) -> str:
     """Put a no-break space between each number and its unit."""
-    return re.sub(rf"(?<=\d) (?={UNIT_PATTERN})", "\N{NO-BREAK SPACE}", text)
+    return re.sub(rf"(?<=\d)[ \n](?={UNIT_PATTERN})", "\N{NO-BREAK SPACE}", text)
 
 
 def wrap(line: str, width: int = 79) -> str:

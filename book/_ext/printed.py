@@ -39,7 +39,7 @@ _BREAK, _LONG = "\N{ZERO WIDTH SPACE}", re.compile(r"\S{20,}")
 #: Where text is as it is.
 _NO_TEXT = (nodes.literal, nodes.literal_block, nodes.raw, nodes.math, nodes.math_block)
 #: Sections that the contents need not name.
-_IN_EVERY_CHAPTER = ("Exercises", "The answer")
+_IN_EVERY_CHAPTER = ("Exercise", "Exercises", "The answer")
 #: Percent of a figure's size on the screen, in which its letters are no larger than the text's.
 _SCALE = 78
 #: Points that a line of code takes, and the frame around it; lines of it that stay together.
@@ -65,7 +65,10 @@ def _cells(chapter: nodes.Node) -> list[nodes.container]:
 
 
 def _leave_out_what_is_folded(chapter: start_of_file) -> None:
-    """Take folded code from a chapter, and the tables in a fold; keep figures and equations."""
+    """Take folded code from a chapter, and the tables in a fold; keep figures and equations.
+
+    A table stays if a line announces it, or if its cell has the tag "printed".
+    """
     for cell in _cells(chapter):
         if "tag_facts" in cell["classes"] and not _is_announced(cell):
             cell.parent.remove(cell)  # what the text below states
@@ -76,6 +79,7 @@ def _leave_out_what_is_folded(chapter: start_of_file) -> None:
             if isinstance(source, nodes.Element) and source.get("nb_element") == "cell_code_source":
                 cell.remove(source)
             kept = _is_announced(cell) or next(cell.findall(_is_numbered), None)
+            kept = kept or "tag_printed" in cell["classes"]
             if cell["hide_mode"] == "all" and not kept:
                 cell.children = []
             if not cell.children:
@@ -94,6 +98,8 @@ def _number_the_ledger(chapter: nodes.Node) -> None:
         printed: list[nodes.Node] = [_latex(r"\begingroup\footnotesize\parskip2pt" + "\n")]
         above = ""
         for row in next(table.findall(nodes.tbody)).children:
+            for reference in row.findall(nodes.reference):
+                _name_the_page(reference)
             number, verdict, place, said, decided = (_inline(entry) for entry in row.children)
             words = "".join(node.astext() for node in verdict)
             if words != above:
@@ -104,6 +110,15 @@ def _number_the_ledger(chapter: nodes.Node) -> None:
             parts += [nodes.Text(" ("), *place, nodes.Text("; ") if decided else nodes.Text("")]
             printed.append(nodes.paragraph("", "", *parts, *decided, nodes.Text(")")))
         table.replace_self([*printed, _latex(r"\endgroup" + "\n")])
+
+
+def _name_the_page(reference: nodes.reference) -> None:
+    """Let a link that says "here" name the page to which it leads."""
+    words, label = reference.astext(), reference.get("refuri", "").lstrip("%").replace("#", ":")
+    if words.endswith(" here"):
+        page = _latex(rf"\pageref{{\detokenize{{{label}}}}}")
+        reference.children = []
+        reference += [nodes.Text(f"{words.removesuffix('here')}on page\N{NO-BREAK SPACE}"), page]
 
 
 def _leave_out_how_to_use_it(page: nodes.section) -> None:
@@ -384,25 +399,25 @@ def _depth(level: int) -> nodes.raw:
 
 
 def _leave_out_what_pages_carry(tree: nodes.document) -> None:
-    """Take out what only a page can carry: links to a figure's data, and what its scripts read.
-
-    Of the data of a table the text speaks, so that what it is called stays.
-    """
+    """Take out what only a page can carry: links to data, and what its scripts read."""
     for cell in _cells(tree):
-        outputs = list(cell.findall(nodes.literal_block))
-        for output in outputs:
-            if output.astext().startswith("Data of this table"):
-                output.replace_self(nodes.paragraph("", output.astext()))
         carried = [
             output
-            for output in outputs
+            for output in cell.findall(nodes.literal_block)
             if "tag_page-data" in cell["classes"]
-            or output.astext().startswith("Data of this figure")
+            or output.astext().startswith(("Data of this figure", "Data of this table"))
         ]
         for output in carried:
             output.parent.remove(output)
         if carried and not cell.astext().strip():
             cell.parent.remove(cell)
+
+
+def _end_paragraphs(tree: nodes.document) -> None:
+    """End the paragraph before an anchor: LaTeX would let the next one run on."""
+    for anchor in list(tree.findall(nodes.target)):
+        if isinstance(anchor.parent, nodes.section):
+            anchor.parent.insert(anchor.parent.index(anchor), _latex(r"\par" + "\n"))
 
 
 def _stand_alone(app: Sphinx, tree: nodes.document) -> None:
@@ -418,6 +433,7 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
     if app.builder.name != "latex":
         return
     _leave_out_what_pages_carry(tree)
+    _end_paragraphs(tree)
     chapters = {node["docname"]: node for node in tree.findall(start_of_file)}
     for chapter in chapters.values():
         _leave_out_what_is_folded(chapter)
