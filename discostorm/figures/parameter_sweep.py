@@ -8,7 +8,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 from pandas.api.types import is_numeric_dtype
 
-from discostorm.figures.style import WIDTH, style
+from discostorm.figures.style import COLORS, WIDTH, style
 from discostorm.model import utilization
 from discostorm.wifi import Radio
 
@@ -30,10 +30,10 @@ class Sweep(pd.DataFrame):
         curves = self.groupby(others, sort=False, dropna=False) if others else [((), self)]
         with style():
             figure = Figure(figsize=(WIDTH, 3.5))
-            panel = figure.subplots()
+            panel = figure.subplots(subplot_kw={"xlabel": x, "ylabel": quantity})
             for values, rows in curves:
-                panel.plot(rows[x], rows[quantity], label=", ".join(map(str, values)))
-            panel.set(xlabel=x, ylabel=quantity)
+                color = COLORS.get(values[0]) if others == ["protocol"] else None
+                panel.plot(rows[x], rows[quantity], label=", ".join(map(str, values)), color=color)
             if others:
                 panel.legend(title=", ".join(others))
         return figure

@@ -172,7 +172,7 @@ _VERBATIM = re.compile(r"(`[^`]*`|\$[^$]*\$)")
 _HYPHEN = re.compile(r"(?<![\w.)/#-])-(?=\d)")
 _ONE_NUMBER = (
     rf"([-+{_MINUS}<≤>≥≈ ]*(\d[\d,]*(\.\d+)?(e[-+]?\d+)?(\s?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|∞)"
-    rf"|never|{_MISSING_VALUE}|)"
+    rf"|never|not enough|{_MISSING_VALUE}|)"
 )
 _NUMBER = re.compile(rf"{_ONE_NUMBER}( / {_ONE_NUMBER})?")
 

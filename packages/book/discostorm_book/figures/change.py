@@ -30,7 +30,7 @@ _CHANGE_COLORS = light_colors("change")
 #: Colors and names of a fleet as it is, and of changes after which its startup works or not.
 _MEANINGS = {
     "today": _CHANGE_COLORS["none"],
-    f"works: nine of ten runs end within {WITHIN_S:g} s": _CHANGE_COLORS["fits"],
+    f"works: 9 of 10 runs end within {WITHIN_S:g} s, and no lease expires": _CHANGE_COLORS["fits"],
     "does not": _CHANGE_COLORS["overloaded"],
 }
 
@@ -105,7 +105,7 @@ def times_by_configuration(data: pd.DataFrame, fleets: Iterable[str]) -> Figure:
             _draw_times(axis, range(len(data)), median, late, looks)
             axis.set_title(fleet, loc="left", fontsize=9.5)
         panels[0].set_yticks(range(len(data)), names)
-        servers.consequence_legend(figure, "If its server or router fails, so does", 6)
+        servers.consequence_legend(figure, "What else fails if its server or router fails", 6)
     return figure
 
 

@@ -60,15 +60,14 @@ def times_by_robots(
 def _draw_cell(axis: Axes, column: int, line: int, row: pd.Series) -> None:
     """Draw the result of one setting."""
     seconds, converged = row["convergence_time_s"], int(row["converged"])
-    shade, text, color = _NO_RUN_COLOR, "never", "white"
+    shade, text = _NO_RUN_COLOR, "never"
     if np.isfinite(seconds):
         shade, text = _TIME_COLORS(_TIME_NORM(seconds)), f"{seconds:.{int(seconds < 9.95)}f}"
         text = "<0.1" if seconds < 0.095 else text
-        color = "white" if _TIME_NORM(seconds) > 0.8 else "black"
     elif converged:
-        shade, text, color = _SOME_RUNS_COLOR, f"{converged}/10", "black"
+        shade, text = _SOME_RUNS_COLOR, f"{converged}/10"
     axis.add_patch(Rectangle((column, line), 1, 1, facecolor=shade, edgecolor="white", lw=1.5))
-    look: Style = {"color": color, "fontsize": 7.5 if text == "never" else 8.5}
+    look: Style = {"color": drawing.letters_on(shade), "fontsize": 7.5 if text == "never" else 8.5}
     axis.text(column + 0.5, line + 0.52, text, ha="center", va="center", **look)
 
 

@@ -44,6 +44,11 @@ def letter_color(color: str) -> list[float]:
     return [0.65 * part for part in to_rgb(color)]
 
 
+def letters_on(ground: Any) -> str:
+    """Return the one of black and white that contrasts more with a ground (WCAG 2.2)."""
+    return "black" if np.array(to_rgb(ground)) ** 2.2 @ [0.2126, 0.7152, 0.0722] > 0.18 else "white"
+
+
 def name_rows_without_ticks(axis: Axes, ys: Any = None, names: Any = None, **look: Any) -> None:
     """Name the rows of a panel, if names are given, without ticks and lines."""
     if ys is not None:

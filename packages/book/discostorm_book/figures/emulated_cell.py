@@ -5,7 +5,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from discostorm.data import read_data
+from discostorm.data import data_path
 from discostorm.figures import COLORS
 from discostorm_book.figures.drawing import Style, book_figure, legend_below, set_ticks, write_text
 
@@ -18,16 +18,15 @@ _MARKERS = dict(zip(("2.6.12", "2.9.1", "2.14.6", "3.6.2", "0.10.5"), "os^DX", s
 
 def read_points(usual: bool = True) -> pd.DataFrame:
     """Read `measured/air.csv`, usual startups or all others; a time not reached is infinite."""
-    points = pd.DataFrame(read_data("measured/air.csv", "discostorm_book"))
+    points = pd.read_csv(data_path("measured/air.csv", "discostorm_book"))
+    texts = points.select_dtypes(exclude="number").columns
+    points[texts] = points[texts].fillna("")
     is_usual = (points[["server", "start"]] == "").all(axis=1) & (points["standard"] == "n")
-    points = points[is_usual == usual]
-    texts = ("protocol", "release", "edp_answers", "standard", "sender", "server", "start")
-    numbers = [name for name in points if name not in texts]
-    return points.assign(**points[numbers].apply(pd.to_numeric)).fillna(np.inf)
+    return points[is_usual == usual].fillna(np.inf)
 
 
 def agreement(points: pd.DataFrame, title: str) -> Figure:
-    """Draw the time to complete discovery of each point, by the simulated time."""
+    """Draw the time until 95% of the pairs know each other at each point, by the simulated time."""
     with book_figure(4.3, title) as figure:
         axis = figure.subplots()
         ends = np.array([0.03, 70])
@@ -40,10 +39,7 @@ def agreement(points: pd.DataFrame, title: str) -> Figure:
             color = COLORS[str(point["protocol"])]
             look: Style = {"color": color, "marker": _MARKERS[version], "ms": 6, "ls": "none"}
             filled: Style = {"markerfacecolor": "none" if point["ampdu"] else color}
-            at = (float(point["simulated_t100_s"]), float(point["t100_s"]))
-            span = [float(point[f"t100_{end}_s"]) for end in ("min", "max")]
-            axis.plot([at[0]] * 2, span, color=color, lw=0.8)
-            axis.plot(*at, **look, **filled)
+            axis.plot(point["simulated_t95_s"], point["t95_s"], **look, **filled)
             product = {"fast_dds": "Fast DDS", "cyclone_dds": "Cyclone DDS"}[name]
             handles[version] = Line2D([], [], **look, label=f"{product} {version}")
         axis.set(xscale="log", yscale="log", xlim=ends, ylim=(0.03, 90))
@@ -52,7 +48,7 @@ def agreement(points: pd.DataFrame, title: str) -> Figure:
         axis.set_yticks([*ticks, NEVER_AT], [*map(str, ticks), "never"])
         axis.set_yticks([], minor=True)
         set_ticks(axis.xaxis, ticks)
-        write_text(axis, "equal", (27, 27), (4, -10), color="gray")
+        write_text(axis, "equal", (27, 27), (4, -10), color="dimgray")
         axis.spines[["top", "right"]].set_visible(False)
         legend_below(figure, list(handles.values()), 3)
     return figure

@@ -35,8 +35,8 @@ def startup_messages(name: str) -> Figure:
             middle, low, high = (rows[f"{side}{end}"] for side in ("measured", "least", "most"))
             look: Style = {"fmt": "o", "ms": 8, "color": COLORS[name], "label": "measured"}
             axis.errorbar(middle, rows.index, xerr=(middle - low, high - middle), **look)
-            look = {"color": "black", "ms": 5, "zorder": 4, "label": "measured model"}
-            axis.plot(rows[f"expected{end}"], rows.index, "x", **look)
+            look = {"color": "black", "mec": "white", "ms": 7, "label": "measured model"}
+            axis.plot(rows[f"expected{end}"], rows.index, "X", zorder=4, **look)
             look = {"mfc": "none", "ms": 8, "zorder": 3, "color": _PAPER_GRAY, "label": "paper"}
             axis.plot(rows[f"paper{end}"], rows.index, "D", **look)
             axis.set(xscale="log", xlabel=what)
