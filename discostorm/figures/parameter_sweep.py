@@ -32,7 +32,7 @@ class Sweep(pd.DataFrame):
             figure = Figure(figsize=(WIDTH, 3.5))
             panel = figure.subplots(subplot_kw={"xlabel": x, "ylabel": quantity})
             for values, rows in curves:
-                color = COLORS.get(values[0]) if others == ["protocol"] else None
+                color = COLORS.get(str(values[0])) if others == ["protocol"] else None
                 panel.plot(rows[x], rows[quantity], label=", ".join(map(str, values)), color=color)
             if others:
                 panel.legend(title=", ".join(others))

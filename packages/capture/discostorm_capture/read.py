@@ -86,7 +86,8 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         first_packet_time=first,
         recorded_time=last - first - sum(step for _, step in steps),
         packets_without_messages=carried.packets | without,
-        gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
+        # A single one may be cut by the end of the capture.
+        gaps=tuple(f"{count} {gap}" for gap, count in cut.items() if count > 1),
         incomplete_datagrams=notes[transport.MISSING_FRAGMENTS_NOTE],
         duplicate_multicast_share=float(copies.mean()) if len(table) else 0.0,
     )

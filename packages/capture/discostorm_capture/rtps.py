@@ -136,8 +136,8 @@ def parse_messages(
         process=processes.ids_of(data, source[chosen], 12),
         peer=processes.ids_of(data, target[chosen], 12),
         entity=entity,
-        # A DATA with only a key disposes of or unregisters an instance.
-        ends=(kind == DATA) & (data[at + 1] & 8 > 0),
+        # A DATA without data disposes of or unregisters an instance.
+        ends=(kind == DATA) & (data[at + 1] & 4 == 0),
         udp=True,
         frames=datagrams["parts"][datagram] * share,
     )

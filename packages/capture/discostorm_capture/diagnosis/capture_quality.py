@@ -67,7 +67,8 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
         text = f"all captured unicast is from or to {host}"
         arp = obs.links_of(obs.events("ARP request"))
         near = {one for pair in arp if host in pair for one in pair} - {host}
-        near &= {*obs.host_first_last}
+        # Those that started earlier have asked before.
+        near &= {*obs.host_first_last} - {*obs.hosts_of(evidence.early_processes)}
         # ARP requests are broadcast, so the capture would have them.
         if len(near) > 1 and not any({*pair} <= near for pair in arp):
             text += say("no ARP between", sorted(near))

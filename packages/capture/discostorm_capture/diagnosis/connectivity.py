@@ -31,45 +31,6 @@ def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
             yield from _no_answers(evidence.obs, scope, reach)
 
 
-def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that announce only addresses from which they do not send."""
-    obs = evidence.obs
-    complete = [pair for pair in evidence.all_pairs if np.isfinite(pair.complete_at)]
-    working = {pair.observer for pair in complete if pair.n_announced}
-    announcing = obs.senders(obs.isin("kind", "SPDP", "Scout") & obs["multicast"])
-    wrong: dict[str, dict[str, str]] = {}
-    for member in (member for scope in evidence.scopes for member in scope.members):
-        announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
-        senders = obs.messages["sender"][obs.sender_index == member].astype(str)
-        host = "".join(senders[-1:])
-        # Skip hosts that send from IPv6 addresses: announced ones are not parsed.
-        elsewhere = host and host not in announced and ":" not in host
-        if announced and member not in working and elsewhere:
-            # A process that multicasts is in this network: NAT and containers drop multicast.
-            kind = "wrong interface" if member in announcing else "other address"
-            if all(address.startswith("127.") for address in announced):
-                kind = "loopback"
-            count = int(obs.isin("receiver", *announced).sum())
-            answers = f", to which others sent {count} messages" if count else ""
-            text = f"{host} announces itself as {join_names(announced)}{answers}"
-            wrong.setdefault(kind, {})[host] = text
-        elif announced and member not in working and (other := _address_in_fleet(obs, host)):
-            text = say("other interface", other, host, announced)
-            wrong.setdefault("other interface", {}).update({other: text, host: text})
-    for kind, texts in wrong.items():
-        yield Finding(kind, tuple(texts), "; ".join(dict.fromkeys(texts.values())))
-
-
-def _address_in_fleet(obs: Observations, host: str) -> str:
-    """Return the address of a host in the network of all others, if it sends from another one."""
-    arp, others = obs.events("ARP request", "ARP reply"), [*{*obs.host_first_last} - {host}]
-    macs = arp["port"][arp["sender"].eq(host)]
-    same = {*arp["sender"][arp["port"].isin(macs)].astype(str)} - {host, *others}
-    if ":" in host or obs.subnet_neighbors(host, others):
-        return ""
-    return next((one for one in sorted(same) if obs.subnet_neighbors(one, others) == others), "")
-
-
 def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts where only some processes confirm unicast, or where a server's clients do not."""
     obs = evidence.obs
@@ -153,17 +114,22 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
 
 
 def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
-    """Yield Zenoh hosts that others discovered by UDP but cannot reach by TCP."""
+    """Yield Zenoh hosts that others found by UDP, or know as peers, but cannot reach by TCP."""
     obs = evidence.obs
     apart = {obs.hosts_of(pair.processes) for pair in evidence.incomplete_pairs}
     found = obs.links_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
     failed = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
     # Skip callers that got no Hello: only a Hello has the port.
     vain = {pair: count for pair, count in failed.items() if pair in apart and pair[::-1] in found}
+    # Peers with fixed addresses send no Hello.
+    peers = {*obs.process_host[~obs.is_rtps & ~obs.is_server]}
+    spoke = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
+    calls = Counter(row[1:3] for row in obs.event_tuples("unanswered") if {*row[1:3]} <= peers)
+    lost = {of: n for of, n in calls.items() if n + calls[of[::-1]] >= LIMITS.min_calls}
+    vain |= {of: n for of, n in lost.items() if not {of, of[::-1]} & spoke}
     if vain:
-        times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}
-        calls = [f"{caller} called {called} ({count})" for (caller, called), count in times.items()]
-        yield Finding.of("no TCP", [*dict.fromkeys(called for _, called in vain)], calls)
+        said = [f"{a} called {b} ({wording.count_noun(n, 'time')})" for (a, b), n in vain.items()]
+        yield Finding.of("no TCP", [*dict.fromkeys(called for _, called in vain)], said)
 
 
 def different_domains(evidence: Evidence) -> Iterator[Finding]:
@@ -440,7 +406,10 @@ def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]
     # A Hello is no link: clients of a Zenoh router answer a Scout, but accept no session.
     rows = obs.isin("protocol", scope.protocol) & ~obs["multicast"] & ~obs.isin("kind", "Hello")
     calls = obs.events("connection", "half", "refused", "unanswered", "exchange")
-    links = obs.links_of(obs.messages[rows]) | obs.links_of(calls)
+    # Ports below 1024 belong to other programs, such as NTP and SSH (RFC 6335).
+    other = {pair[::-1] for pair in obs.links_of(calls[calls["port"] < 1024])}
+    links = obs.links_of(calls[calls["port"] >= 1024]) - other
+    links |= obs.links_of(obs.messages[rows])
     targets = _multicast_targets(obs)
     links |= {pair for pair in combinations(targets, 2) if targets[pair[0]] & targets[pair[1]]}
     times = {host: obs.host_first_last[host] for host in scope.hosts if host in obs.host_first_last}

@@ -1,7 +1,7 @@
 """Diagnose a capture: whether discovery is healthy, complete and over, and if not, why."""
 
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
@@ -170,9 +170,7 @@ class Diagnosis:
     def summary(self) -> str:
         """Return an event, the state of discovery, its cause and remedy, and if more is wrong."""
         happened = [one for one in self.findings if one.role == "headline"]
-        limits = [
-            one for one in self.findings if one.about == "capture" and "clock" not in one.kind
-        ]
+        limits = [one for one in self.findings if one.about == "capture" and one.role != "note"]
         if self.complete is not None and len(self._hosts) > 1:
             limits = [one for one in limits if one.kind in UNDECIDED_KINDS]
         reported = [*self.wrong, *happened, *limits]
@@ -242,32 +240,27 @@ def diagnose(obs: Observations) -> Diagnosis:
     causes += [one for one in events if one.about == "fleet"]
     roots = [one for one in causes if one.role == "explains"]
     hosts = {host for one in roots for host in one.hosts}
-    if any(one.kind == "two domains" for one in events):
-        causes = [one for one in causes if not one.kind.startswith("nobody hears")]
-    others = [one for one in causes if one not in roots]
+    others = [one for one in _unreplaced(causes, causes) if one not in roots]
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
-    lost = any(one.kind in ("large packets", "reassembly", "unacknowledged") for one in causes)
-    lossy = [] if lost else list(losses.frame_loss(evidence))
+    lossy = _unreplaced(losses.frame_loss(evidence), causes)
     if obs.recording.truncated_share > LIMITS.max_truncated_share:
         causes, lossy = list(connectivity.different_domains(evidence)), []
-    if any(one.kind in ("heavy loss", "weak link", "crowded link") for one in lossy):
-        # Drop broken directions between two hosts: heavy loss can look like them.
-        causes = [one for one in causes if one.kind != "one direction of pairs"]
-    causes = causes or list(unexplained_pairs(evidence, "not authenticated"))
-    lossy = lossy or ([] if causes or lost else list(losses.multicast_loss(evidence)))
+    causes = _unreplaced(causes, lossy) or list(unexplained_pairs(evidence, "not authenticated"))
+    lossy = lossy or ([] if causes else list(losses.multicast_loss(evidence)))
     if not (causes or lossy or limits):
         causes = list(unexplained_pairs(evidence, "incomplete"))
-    others = run_rules("other", evidence)
+    others = _unreplaced(run_rules("other", evidence), causes)
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
     findings = [*causes, *lossy, *others]
-    absent = {host for one in findings if one.kind.startswith("missing") for host in one.hosts}
+    absent = {host for one in findings if one.role == "missing" for host in one.hosts}
     findings.sort(key=lambda one: [*finding_kinds()].index(one.kind))
     # First what is wrong with the missing hosts, such as a server that was not started there.
-    findings.sort(key=lambda one: one.kind.startswith("missing") or not {*one.hosts} & absent)
+    findings.sort(key=lambda one: one.role == "missing" or not {*one.hosts} & absent)
     wrong = [one for one in findings if one.about == "fleet"]
     limits += [one for one in findings if one.about == "capture"]
     limits += topics.unknown_qos(evidence)
-    happened = [one for one in (*events, *others, *lossy) if one.about == "event"]
+    happened = _unreplaced([*events, *others, *lossy], [*wrong, *limits])
+    happened = [one for one in happened if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
     announced = obs.time[obs.isin("kind", *STARTUP_KINDS) & ~obs["ends"]]
     quiet = obs.recording.recorded_time - announced.max(initial=0.0)
@@ -280,6 +273,19 @@ def diagnose(obs: Observations) -> Diagnosis:
         pairs=len(evidence.expected_pairs),
         _evidence=evidence,
     )
+
+
+def _unreplaced(findings: Iterable[Finding], by: list[Finding]) -> list[Finding]:
+    """Return the findings that none of the others replaces, for one of their hosts or for all."""
+    kinds = [(kind, {*one.hosts}) for one in by for kind in one.replaces]
+    return [
+        one
+        for one in findings
+        if not any(
+            one.kind == kind and (not hosts or not one.hosts or hosts & {*one.hosts})
+            for kind, hosts in kinds
+        )
+    ]
 
 
 def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | None:

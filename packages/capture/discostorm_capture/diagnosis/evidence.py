@@ -188,8 +188,12 @@ def _observed_ends(obs: Observations) -> dict[int, tuple[float, str]]:
         if (restarted.any() or not called.any()) and _others_still_send(obs, process, when):
             closed[process] = when, "silent"
     goodbye = (obs["ends"] & obs.isin("kind", "SPDP")) | obs.isin("kind", "Close")
+    says = obs.isin("protocol", "Zenoh") & ~obs.isin("kind", "Hello", "Init", "Open", "Close")
+    spoke = obs.links_of(obs.messages[says])
     for row in np.flatnonzero(goodbye & (sender >= 0)).tolist():
-        closed[int(sender[row])] = float(obs.time[row]), "left"
+        # A router that closes a session before it is open refuses it.
+        if obs.is_rtps[sender[row]] or obs.links_of(obs.messages[row : row + 1]) <= spoke:
+            closed[int(sender[row])] = float(obs.time[row]), "left"
     return closed
 
 

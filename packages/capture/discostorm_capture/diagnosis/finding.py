@@ -61,8 +61,13 @@ class Finding:
 
     @property
     def role(self) -> str:
-        """Its role: it "explains" findings of its hosts, "blocks" pairs or is a "headline"."""
+        """Its role, in words of ``data/README.md``, such as "explains" or "headline"."""
         return finding_kinds()[self.kind]["role"]
+
+    @property
+    def replaces(self) -> list[str]:
+        """The kinds of findings that it explains, so that these are not told."""
+        return finding_kinds()[self.kind]["replaces"].split("; ")
 
     @property
     def summary(self) -> str:

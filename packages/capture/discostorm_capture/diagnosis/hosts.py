@@ -12,7 +12,7 @@ from discostorm import _checks, wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
-from discostorm_capture.diagnosis.observations import ExpectedHosts
+from discostorm_capture.diagnosis.observations import ExpectedHosts, Observations
 from discostorm_capture.sentences import join_names, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
@@ -36,7 +36,7 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
 def moved_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with a new address for which others still look at the old one."""
     obs = evidence.obs
-    seen = obs.events("ARP request", "ARP reply", "MAC")
+    seen = obs.events("ARP request", "ARP reply", "MAC").query("sender != '0.0.0.0'")
     seen = seen.groupby(["port", "sender"], observed=True)["time"].agg(["min", "max"])
     for _, times in seen.groupby(level=0, observed=True):
         if len(times) != 2:
@@ -48,6 +48,45 @@ def moved_hosts(evidence: Evidence) -> Iterator[Finding]:
         late = sum(time > begin for time in asked) + int((sent > begin).sum())
         if span["max"].min() < begin and late >= LIMITS.min_requests:
             yield Finding.of("new address", (old,), new, begin, late)
+
+
+def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that announce only addresses from which they do not send."""
+    obs = evidence.obs
+    complete = [pair for pair in evidence.all_pairs if np.isfinite(pair.complete_at)]
+    working = {pair.observer for pair in complete if pair.n_announced}
+    announcing = obs.senders(obs.isin("kind", "SPDP", "Scout") & obs["multicast"])
+    wrong: dict[str, dict[str, str]] = {}
+    for member in (member for scope in evidence.scopes for member in scope.members):
+        announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
+        senders = obs.messages["sender"][obs.sender_index == member].astype(str)
+        host = "".join(senders[-1:])
+        # Skip hosts that send from IPv6 addresses: announced ones are not parsed.
+        elsewhere = host and host not in announced and ":" not in host
+        if announced and member not in working and elsewhere:
+            # A process that multicasts is in this network: NAT and containers drop multicast.
+            kind = "wrong interface" if member in announcing else "other address"
+            if all(address.startswith("127.") for address in announced):
+                kind = "loopback"
+            count = int(obs.isin("receiver", *announced).sum())
+            answers = f", to which others sent {count} messages" if count else ""
+            text = f"{host} announces itself as {join_names(announced)}{answers}"
+            wrong.setdefault(kind, {})[host] = text
+        elif announced and member not in working and (other := _address_in_fleet(obs, host)):
+            text = say("other interface", other, host, announced)
+            wrong.setdefault("other interface", {}).update({other: text, host: text})
+    for kind, texts in wrong.items():
+        yield Finding(kind, tuple(texts), "; ".join(dict.fromkeys(texts.values())))
+
+
+def _address_in_fleet(obs: Observations, host: str) -> str:
+    """Return the address of a host in the network of all others, if it sends from another one."""
+    arp, others = obs.events("ARP request", "ARP reply"), [*{*obs.host_first_last} - {host}]
+    macs = arp["port"][arp["sender"].eq(host)]
+    same = {*arp["sender"][arp["port"].isin(macs)].astype(str)} - {host, *others}
+    if ":" in host or obs.subnet_neighbors(host, others):
+        return ""
+    return next((one for one in sorted(same) if obs.subnet_neighbors(one, others) == others), "")
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
@@ -239,7 +278,8 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
         silent = [host for host in absent if obs.network_events["sender"].eq(host).any()]
         text = f"{join_names(absent)} announced nothing; {len(expected or ())} hosts are expected"
         if silent:
-            text += f"; {join_names(silent)} sent other packets, so the host is on the network"
+            they = "it is" if len(silent) == 1 else "they are"
+            text += f"; {join_names(silent)} sent other packets, so {they} on the network"
         if asks := [f"{by} asked for {of}" for by, of in obs.unanswered_arp if by in silent]:
             text += f"; {join_names(asks)} by ARP, and got no answer"
         kind = "missing" if len(silent) < len(absent) else "missing, but on"

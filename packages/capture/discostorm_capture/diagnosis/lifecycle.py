@@ -25,7 +25,8 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
         times = _format_times(starts)
         which = "processes" if len(starts) > 1 else "a process"
         again[host] = f"on {host}, {which} began at {times}, after the previous one had gone silent"
-        if max(map(len, chains)) >= LIMITS.min_loop_starts:
+        ends = {evidence.endings[old] for chain in chains for old in chain[:-1]}
+        if max(map(len, chains)) >= LIMITS.min_loop_starts and ends != {"left"}:
             yield Finding("crash loop", (host,), again.pop(host))
     for server in sorted(obs.servers):
         beats = obs.isin("kind", "SPDP Heartbeat") & (obs.sender_index == server)

@@ -39,6 +39,9 @@ class Observations:
         processes, hosts = self.processes, set(self.messages["sender"].astype(str).unique())
         #: The only host whose unicast was captured, if any. Hosts without a process count, too.
         self.vantage_host = vantage_host(self.messages, hosts, self.server_hosts)
+        calls = self.links_of(self.events("connection", "half", "refused", "unanswered"))
+        if any(self.vantage_host not in pair for pair in calls):
+            self.vantage_host = None
         #: For each message: time [s], sequence number, and the index of the sending and of the
         #: receiving process, -1 if unknown.
         self.time, self.seq = self["time"].astype(np.float64), self["number"].astype(np.int64)
