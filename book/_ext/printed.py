@@ -375,10 +375,10 @@ def _keep_the_end_together(chapter: nodes.Element) -> None:
     section = section[-1]
     room = _HEADING + sum(map(_natural_height, section.findall(nodes.paragraph)))
     if room < _ENDING and not next(section.findall(_is_no_text), None):
-        # Sphinx would begin no section in the last fifth of a page.
+        # LaTeX would begin no section in the last tenth of a page.
         begin = rf"\settlefigures\roomfor{{{room:.0f}pt}}\def\bottomtitlespace{{0pt}}"
         section.parent.insert(section.parent.index(section), _latex(begin + "\n"))
-        section += _latex(r"\def\bottomtitlespace{.2\textheight}" + "\n")
+        section += _latex(r"\def\bottomtitlespace{.1\textheight}" + "\n")
 
 
 def _is_no_text(node: nodes.Node) -> bool:
