@@ -39,7 +39,7 @@ def style() -> Iterator[None]:
 
 def headline(figure: Figure, text: str) -> None:
     """Write a sentence above a figure."""
-    figure.suptitle(text, x=0.01, ha="left", fontsize=10, fontweight="bold")
+    figure.suptitle(text.replace("'", "\u2019"), x=0.01, ha="left", fontsize=10, fontweight="bold")
 
 
 def protocol_colors(protocols: Iterable[Protocol]) -> list[Color]:

@@ -95,8 +95,8 @@ def draw_first_part() -> Figure:
         lanes.grid(visible=False)
         queue.fill_between(time, waiting, step="post", color=charcoal, alpha=0.35, lw=0)
         queue.axhline(QUEUE[0], color=bad, lw=1)
-        look: Style = {"color": bad, "va": "top", "fontsize": 8}
-        write_text(queue, "full: the access point drops frames", (2, QUEUE[0]), (0, -3), **look)
+        look: Style = {"color": bad, "va": "bottom", "fontsize": 8}
+        write_text(queue, "full: the access point drops frames", (2, QUEUE[0]), (0, 2), **look)
         queue.set(xlabel="time since the robots were switched on [ms]", ylabel="frames\nwaiting")
-        queue.set(xlim=(0, PICTURE_END_S * 1e3), ylim=(0, QUEUE[0] * 1.1))
+        queue.set(xlim=(0, PICTURE_END_S * 1e3), ylim=(0, QUEUE[0] * 1.4))
     return figure

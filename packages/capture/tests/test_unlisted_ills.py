@@ -639,9 +639,10 @@ def test_nothing_is_found_in_healthy_fleets(name: str) -> None:
 
 
 def test_a_participant_that_fast_dds_disposes_of_without_its_key_has_left() -> None:
-    (found,) = diagnosis("command_in_a_loop").wrong
+    found, *others = diagnosis("command_in_a_loop").findings
     assert (found.kind, found.hosts) == ("command loop", ("10.77.0.4",))
     assert "said goodbye 6 times, about every 2.0 s" in found.evidence
+    assert {one.about for one in others} == {"capture"}
 
 
 def test_hosts_that_started_before_the_capture_need_not_ask_by_arp() -> None:

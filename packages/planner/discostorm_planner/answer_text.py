@@ -38,7 +38,8 @@ def fill(key: str, **values: object) -> str:
 
 def phrase(name: str) -> str:
     """Return the name of a protocol or channel as it reads within a sentence."""
-    return SENTENCES.get(name, name)
+    release = name.partition(" Discovery")[0] if " Discovery" in name else "Fast DDS"
+    return SENTENCES.get(name.replace(release, "Fast DDS"), name).replace("Fast DDS", release)
 
 
 def format_answer(plan: Plan, width: int, *, all_changes: bool = False) -> str:
@@ -363,10 +364,9 @@ def _describe_runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
         for runs in counts
         if runs > 1
     ]
-    few = [fill("long runs" if n > 1 else "hopeless run", runs=n) for n in counts[1:]]
-    told = wording.count_noun(counts[0], "run")
+    few = ", ".join(fill("long runs" if n > 1 else "hopeless run", runs=n) for n in counts[1:])
     ranges = intervals[:1] + ["if there are fewer, all of them"] * (len(intervals) > 1)
-    return told + f" ({', '.join(few)})" * bool(few), " or, ".join(ranges)
+    return wording.count_noun(counts[0], "run") + f" ({few})" * bool(few), " or, ".join(ranges)
 
 
 def _certainty_lines(plan: Plan, all_changes: bool) -> list[str]:

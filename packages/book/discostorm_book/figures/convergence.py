@@ -143,7 +143,7 @@ def effects_of_changes(shown: pd.DataFrame) -> Figure:
                 text = f"{value:.0f}{f' {protocol}' if place < 0.5 else ''}"
                 write_text(axis, text, (ends[right], place), (6 if right else -6, 0), **look)
         axis.set(yticks=places, yticklabels=list(shown.index), xlabel="time until converged [s]")
-        axis.set_xlim(0, 1.2 * shown.to_numpy().max())
+        axis.set_xlim(np.array([-0.08, 1.2]) * shown.to_numpy().max())
         axis.invert_yaxis()
         axis.grid(axis="y", visible=False)
     return figure

@@ -172,7 +172,7 @@ def fleet_airtimes_data(
 
 def fleet_airtimes(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Figure:
     """Draw airtime per kind of pair, and utilization of small robots with and without a laptop."""
-    with book_figure(3.3, "A laptop costs more than half as much as a robot") as figure:
+    with book_figure(3.3, "A laptop costs more than half as much as a Nav2 robot") as figure:
         bars, lines = figure.subplots(1, 2, width_ratios=(1, 1.5))
         order = large.iloc[::-1].reset_index(drop=True)
         ys = order.index + (order["protocol"] == "DDS") * 0.5
@@ -181,10 +181,10 @@ def fleet_airtimes(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int
             bars.barh(ys, order[part], left=left, height=0.7, color=shades, alpha=alpha)
             left += order[part]
         for y, total, protocol in zip(ys, order["total [s]"], order["protocol"], strict=True):
-            bars.text(total, y, f" {protocol} {total:.1f}", va="center")
+            bars.text(total, y, f" {protocol} {total:.1f} s", va="center")
         bars.set_yticks(ys, order["fleet"])
         bars.set_xlabel("airtime [s]")
-        bars.set_xlim(0, 1.3 * order["total [s]"].max())
+        bars.set_xlim(0, 1.45 * order["total [s]"].max())
         bars.grid(axis="y", visible=False)
         data = fleet_airtimes_data(large, laptop, small).dropna(subset="small_robots")
         for (protocol, fleet), rows in data.groupby(["protocol", "fleet"], sort=False):

@@ -249,7 +249,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     lossy = lossy or ([] if causes else list(losses.multicast_loss(evidence)))
     if not (causes or lossy or limits):
         causes = list(unexplained_pairs(evidence, "incomplete"))
-    others = _unreplaced(run_rules("other", evidence), causes)
+    others = _unreplaced(run_rules("other", evidence), [*causes, *events])
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
     findings = [*causes, *lossy, *others]
     absent = {host for one in findings if one.role == "missing" for host in one.hosts}
@@ -259,7 +259,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     wrong = [one for one in findings if one.about == "fleet"]
     limits += [one for one in findings if one.about == "capture"]
     limits += topics.unknown_qos(evidence)
-    happened = _unreplaced([*events, *others, *lossy], [*wrong, *limits])
+    happened = _unreplaced([*events, *others, *lossy], [*wrong, *events, *limits])
     happened = [one for one in happened if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
     announced = obs.time[obs.isin("kind", *STARTUP_KINDS) & ~obs["ends"]]

@@ -229,7 +229,7 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             yield Finding.of("wrong port", who, host, port, text, ZENOH_PORT)
         elif port == ZENOH_PORT:
             by = wording.count_noun(len(who), "host")
-            text = f"connections to port {ZENOH_PORT} by {by} failed ({text})"
+            text = f"{by} failed to connect to port {ZENOH_PORT} ({text})"
             if (host, port) in taken:
                 text += f"; the last one was accepted after {taken[host, port]:.1f} s"
             last = max([time for _, of, *_, time in arp if of == host], default=-np.inf)

@@ -240,7 +240,7 @@ def _print_configuration(answer: ds.Plan, name: str, output: Output) -> None:
     # On standard error, so that the output is nothing but configuration.
     said = f"{wording.capitalized(remedy.what)}:\n"
     if any("ADDRESS_OF_" in text for text in texts):
-        said += "Fill in each ADDRESS_OF_..., here or below [addresses] of your fleet file.\n"
+        said += "Fill in each ADDRESS_OF_..., here or under [addresses] in your fleet file.\n"
     click.echo(visible(said), err=True)
     # Not escaped: it is to be copied as it is.
     click.echo("\n".join(texts), nl=False)
