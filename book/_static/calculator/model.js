@@ -179,7 +179,7 @@ const s140 = "on every robot";
 const s141 = {
 "where": s140,
 "version": s137,
-"text": "# on every robot (tested with Fast DDS 2.6, 2.9, 2.14 and 3.6)\n# Load: ROS_DISCOVERY_SERVER is an environment variable of every process with Fast DDS: run\n# in the shell or put in the service file that starts the ROS 2 processes, before they start\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\n",
+"text": "# on every robot (tested with Fast DDS 2.6, 2.9, 2.14 and 3.6)\n# Load: ROS_DISCOVERY_SERVER is an environment variable of every process with Fast DDS: set\n# it in the shell or service file that starts the ROS 2 processes\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811\"\n",
 };
 const s142 = {
 "where": "for ros2 tools",
@@ -1249,7 +1249,7 @@ return {
 "sure": "How sure: we simulated {until} in {runs}, with fixed seeds.",
 "ranges": "Ranges span {interval}.",
 "long runs": "{runs} of slow startups",
-"hopeless run": "{runs} of hopeless ones",
+"hopeless run": "{runs} of hopeless startups",
 "assumed": "Assumes: one access point, all robots in range, a simultaneous start, queues of 500 messages.",
 "most runs": "the second fastest to the second slowest of {runs} runs",
 "all runs": "all {runs} runs",
@@ -1620,21 +1620,21 @@ s143,
 {
 "where": s144,
 "version": "ROS 2 Jazzy",
-"text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: run in the\n# shell or put in the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_fastrtps_cpp\n",
+"text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: set it in the\n# shell or service file that starts the ROS 2 processes\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_fastrtps_cpp\n",
 },
 ],
 "Cyclone DDS": [
 {
 "where": s144,
 "version": "ROS 2 Jazzy",
-"text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: run in the\n# shell or put in the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\n",
+"text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: set it in the\n# shell or service file that starts the ROS 2 processes\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_cyclonedds_cpp\n",
 },
 ],
 "Zenoh": [
 {
 "where": s144,
 "version": "ROS 2 Jazzy",
-"text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: run in the\n# shell or put in the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\n# The next line names the file for every process. Without a router, peers log a warning and\n# continue. If there is a router, start it first: ros2 run rmw_zenoh_cpp rmw_zenohd\nexport ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n",
+"text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: set it in the\n# shell or service file that starts the ROS 2 processes\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\n# The next line names the file for every process. Without a router, peers log a warning and\n# continue. If there is a router, start it first: ros2 run rmw_zenoh_cpp rmw_zenohd\nexport ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n",
 },
 ],
 "Zenoh peers": [
@@ -1675,7 +1675,7 @@ s143,
 {
 "where": s140,
 "version": "ROS 2 Jazzy",
-"text": "# on every robot (ROS 2 Jazzy)\n# Load: both are environment variables of every ROS 2 process: run in the shell or put in\n# the service file that starts the ROS 2 processes, before they start\n# Not run here: compared with its documentation\nexport ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST\nexport ROS_STATIC_PEERS=\"192.168.1.22;192.168.1.23\"\n",
+"text": "# on every robot (ROS 2 Jazzy)\n# Load: both are environment variables of every ROS 2 process: set them in the shell or\n# service file that starts the ROS 2 processes\n# Not run here: compared with its documentation\nexport ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST\nexport ROS_STATIC_PEERS=\"192.168.1.22;192.168.1.23\"\n",
 },
 ],
 "Zenoh": [
@@ -1786,9 +1786,9 @@ s146,
 "text": "# on two computers that are wired to the access point (tested with Fast DDS 2.6, 2.9, 2.14 and 3.6)\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# Run the first line on one computer, the second on the other, each with its own address.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\nfastdds discovery -i 1 -l 192.168.1.11 -p 11811\n",
 },
 {
-"where": "on every robot (servers in this order)",
+"where": "on every robot (with the servers in the same order)",
 "version": s137,
-"text": "# on every robot (servers in this order) (tested with Fast DDS 2.6, 2.9, 2.14 and 3.6)\n# Load: ROS_DISCOVERY_SERVER is an environment variable of every process with Fast DDS: run\n# in the shell or put in the service file that starts the ROS 2 processes, before they start\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811;192.168.1.11:11811\"\n",
+"text": "# on every robot (with the servers in the same order) (tested with Fast DDS 2.6, 2.9, 2.14 and 3.6)\n# Load: ROS_DISCOVERY_SERVER is an environment variable of every process with Fast DDS: set\n# it in the shell or service file that starts the ROS 2 processes\nexport ROS_DISCOVERY_SERVER=\"192.168.1.10:11811;192.168.1.11:11811\"\n",
 },
 s142,
 s143,
