@@ -38,7 +38,7 @@ def fill(key: str, **values: object) -> str:
 
 def phrase(name: str) -> str:
     """Return the name of a protocol or channel as it reads within a sentence."""
-    release = name.partition(" Disc")[0] if name[9:10].isdigit() and " Disc" in name else "Fast DDS"
+    release = " ".join(name.split()[:3]) if name.split()[3:4] == ["Discovery"] else "Fast DDS"
     return SENTENCES.get(name.replace(release, "Fast DDS"), name).replace("Fast DDS", release)
 
 

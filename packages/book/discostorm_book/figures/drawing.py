@@ -15,7 +15,7 @@ from matplotlib.ticker import FuncFormatter
 from discostorm.figures import WIDTH, headline, style
 
 #: Numbers as they are, without powers of ten.
-PLAIN_NUMBERS = FuncFormatter(lambda value, _: f"{value:g}")
+PLAIN_NUMBERS = FuncFormatter(lambda value, _: f"{value:,g}")
 #: Options of Matplotlib.
 Style = dict[str, Any]
 #: The look of a reference line, such as a lease.
