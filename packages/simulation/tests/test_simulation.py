@@ -1074,6 +1074,7 @@ def test_estimates_are_right_to_an_order_of_magnitude() -> None:
         "large": ds.Fleet((replace(turtlebot, hosts=4),)),
     }
     small()  # loads the engine
+    ratios = {}
     for name, fleet in fleets.items():
         what = plan(fleet, ds.PROTOCOLS["Fast DDS 3.6"], channel, recovery=True, until=60.0)
         took = []
@@ -1081,10 +1082,11 @@ def test_estimates_are_right_to_an_order_of_magnitude() -> None:
             began = time.thread_time()
             simulate_run(what, np.random.SeedSequence(0))
             took.append(time.thread_time() - began)
-        ratio = min(took) / what.estimate()[0]
-        # A run of half a second needs no estimate, and a slow machine would decide this test.
-        assert ratio > 0.1, name
-        assert ratio < 10 or min(took) < 0.5, name
+        ratios[name] = min(took) / what.estimate()[0]
+    assert 0.1 < ratios["large"] < 10
+    # A busy machine slows all of them down.
+    for name, ratio in ratios.items():
+        assert 0.1 < ratio / ratios["large"] < 10, name
 
 
 def test_what_does_not_fit_the_memory_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
