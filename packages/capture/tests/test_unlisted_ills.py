@@ -646,6 +646,16 @@ def test_a_participant_that_fast_dds_disposes_of_without_its_key_has_left() -> N
     assert {one.about for one in others} == {"capture"}
 
 
+def test_a_router_that_refuses_a_session_has_not_left() -> None:
+    found = diagnosis("two_clients_with_one_id")  # the router closes the second one's sessions
+    assert [one.kind for one in found.findings] == ["duplicate id"]
+
+
+def test_calls_between_other_hosts_show_that_the_capture_has_their_unicast() -> None:
+    found = diagnosis("peers_behind_firewalls")  # only one of three has sessions
+    assert [one.kind for one in found.findings] == ["no TCP"]
+
+
 def test_hosts_that_started_before_the_capture_need_not_ask_by_arp() -> None:
     found = diagnosis("healthy_recorded_late")
     assert {one.about for one in found.findings} == {"capture"}
