@@ -1082,6 +1082,12 @@ def test_fragments_seen_twice_count_as_whole_packets_do(read: Read) -> None:
     assert notes_and_kinds([*pieces, *other[:2]]) == (missing, kinds_)
 
 
+def test_a_single_cut_datagram_is_no_gap_of_the_capture(read: Read) -> None:
+    cut = [ipv6_fragments(udp(rtps(data(0x100C2))), 40, number)[0] for number in (1, 2)]
+    assert read(pcap(at(cut[:1]), 229))._recording.gaps == ()  # it ended meanwhile
+    assert read(pcap(at(cut), 229))._recording.gaps == ("2 IP datagrams lack fragments",)
+
+
 @pytest.mark.parametrize(("seconds", "complete"), [(45, True), (59.9, True), (60.1, False)])
 def test_fragments_of_a_datagram_come_within_a_minute(
     seconds: float, complete: bool, read: Read
