@@ -62,12 +62,12 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     carried = transport.parse_transport(packets, notes)
     duplicates = transport.find_duplicate_frames(carried, time, notes)
     streams = tcp.split_streams(take_rows(carried.segments, ~duplicates[carried.segments["frame"]]))
-    dissections, events = _dissect_all(carried, streams, duplicates, notes)
-    messages, processes = _combine_dissections(dissections)
-    messages["copy"] = duplicates[messages["frame"]]
     # The first packet need not be the earliest: clocks are set back, and files are merged.
     start = int(time.min()) if len(time) else 0
     since = (time - start) * NANOSECOND
+    dissections, events = _dissect_all(carried, streams, duplicates, since, notes)
+    messages, processes = _combine_dissections(dissections)
+    messages["copy"] = duplicates[messages["frame"]]
     first, last = since[[0, -1]].tolist() if len(since) else (0.0, 0.0)
     step = np.diff(time)
     jumps = np.flatnonzero((step < -_MIN_STEP_BACK) | (step > _MIN_STEP_FORWARD)).tolist()
@@ -107,7 +107,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
 
 
 def _dissect_all(
-    carried: IpContent, streams: tcp.Streams, copies: Array, notes: Notes
+    carried: IpContent, streams: tcp.Streams, copies: Array, since: Array, notes: Notes
 ) -> tuple[list[Dissection], Columns]:
     """Return the messages and processes of each protocol, and network events."""
     data, datagrams, segments = carried.data, carried.datagrams, carried.segments
@@ -129,6 +129,7 @@ def _dissect_all(
         network_events.time_stamps(messages, *rtps.source_times(data, messages)),
         network_events.connection_events(streams),
         network_events.arrived_and_vanished_segments(streams),
+        network_events.acknowledgement_jitter(streams, since),
         *map(network_events.addressed_ports, (messages, scouts)),
         *(network_events.other_traffic(of, frames) for of in both),
         *(network_events.mac_addresses(take_rows(of, ~copies[of["frame"]])) for of in both),

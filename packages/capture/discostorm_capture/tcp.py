@@ -75,6 +75,26 @@ def _acknowledged_until(table: Columns, first: Array, stream: Array, reverse: Ar
     return until
 
 
+def acknowledgement_delays(streams: Streams, since: Array) -> Iterator[tuple[int, Array]]:
+    """Yield the first row of each stream with payload, and how long segments were unacknowledged.
+
+    `since` is the time of each frame [s], and so are the delays, of acknowledged segments only.
+    """
+    table, first = streams.segments, streams.first_segment
+    time, ends = since[table["frame"]], np.append(first, len(table["wire"]))[1:]
+    for begin, end, back in zip(first, ends, streams.opposite, strict=True):
+        acks = np.arange(first[back], ends[back])
+        acks = acks[(table["flags"][acks] & ACK > 0) & (first[back] != begin)]
+        rows = np.arange(begin, end)[table["wire"][begin:end] > 0]
+        step = table["acknowledges"][acks] - table["sequence"][begin]
+        position = (step + (1 << 31)) % (1 << 32) - (1 << 31) - (table["flags"][begin] & SYN > 0)
+        until = np.maximum.accumulate(position)
+        ack = np.searchsorted(until, (table["position"] + table["wire"])[rows])
+        inside = ack < len(acks)
+        if inside.any():
+            yield int(begin), time[acks[ack[inside]]] - time[rows[inside]]
+
+
 def _opposite_streams(sender: Array, receiver: Array) -> Array:
     """Return the index of each stream's opposite; the n-th uses of a pair of ports match."""
     pair, _ = factorize(np.minimum(sender, receiver), np.maximum(sender, receiver))

@@ -32,7 +32,7 @@ _DECLARATIONS = _LAYOUTS["declare"]
 ZENOH_PORT, SCOUTING_PORT = 7447, 7446
 #: Protocol versions that share the layouts used here.
 READABLE_VERSIONS = (8, 9)
-_SCOUT, _HELLO, _DECLARE, _PUT, _DEL = 1, 2, 0x1E, 1, 2
+_SCOUT, _HELLO, _RESPONSE, _DECLARE, _PUT, _DEL = 1, 2, 0x1B, 0x1E, 1, 2
 _, INIT, OPEN, CLOSE, KEEP_ALIVE, FRAME, FRAGMENT, JOIN = range(8)
 #: Ids of two extensions of an Init, and of the Put extension for a payload in shared memory.
 _LOW_LATENCY_EXT, _COMPRESSION_EXT, _SHARED_MEMORY_EXT = 5, 6, 2
@@ -41,9 +41,8 @@ ACK_FLAG, MORE_FLAG, EXT_FLAG = 0x20, 0x40, 0x80
 #: Number of batches by which each side opens a session, always readable: Init and Open.
 OPENING_BATCHES = 2
 _FLAG_BITS = {"A": ACK_FLAG, "M": MORE_FLAG, "Z": EXT_FLAG}
-#: Messages inside of messages, with a head of their own: queries; replies and errors.
+#: The layout of a query inside of a message, with a head of its own.
 _QUERY_LAYOUTS = {3: "int?A block?M ext?Z"}
-_REPLY_LAYOUTS = {4: "int?A ext?Z content", 5: "encoding?M ext?Z block"}
 
 
 def _read_layout(layout: str, data: Bytes, at: Offsets, end: Offsets, head: Array) -> EndAndNumber:
@@ -186,7 +185,7 @@ _PART_READERS: dict[str, Callable[[Bytes, Offsets, Offsets, Array], Offsets]] = 
     "slices": partial(_skip_repeated, "1 block"),
     "locators": partial(_skip_repeated, "block"),
     "query": lambda *given: _read_by_kind(_QUERY_LAYOUTS, *given)[0],
-    "answer": lambda *given: _read_by_kind(_REPLY_LAYOUTS, *given)[0],
+    "answer": lambda *given: _read_by_kind(_LAYOUTS["answer"], *given)[0],
     "declaration": lambda *given: _read_by_kind(_DECLARATIONS, *given)[0],
 }
 
@@ -210,6 +209,8 @@ def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
         body = value[declares]
         code[declares] = CODES["declare"][data[body] & 0x1F]
         value[declares] = _read_by_kind(_DECLARATIONS, data, body, end[declares], body)[1]
+        responds = np.flatnonzero((kind == _RESPONSE) & (after <= end))
+        code[responds] = CODES["answer"][data[value[responds]] & 0x1F]
         bad = after > end
         code[bad] = UNREADABLE
         after = np.minimum(after, end)

@@ -312,6 +312,18 @@ def test_a_transfer_of_most_bytes_is_named_where_frames_are_lost(
         assert "rsync --bwlimit" in wrong.advice
 
 
+def test_a_topic_that_takes_most_of_a_lossy_link_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = ((30, 1000), (0, 0), Counter({"10.77.0.1": 30}), Counter(), np.array([1.0]))
+    monkeypatch.setattr(losses, "find_losses", lambda _: found)
+    capture = ds.read_capture(STAGED / "healthy_dual_stack.pcap.xz")
+    rows = capture._messages
+    for frames, kind in ((3.0, "heavy loss"), (300.0, "stream on a slow link")):
+        more = rows["frames"].where(~rows["kind"].isin(["User data", "Push"]), np.float32(frames))
+        (wrong,) = replace(capture, _messages=rows.assign(frames=more)).diagnosis().wrong
+        assert wrong.kind == kind
+    assert "30 of 1000 captured frames" in wrong.evidence
+
+
 def stopping(share: float, only: str = "User data") -> Diagnosis:
     """Diagnose a healthy capture without the samples of a writer after this share of its time."""
     seen = ds.read_capture(STAGED / "watched_beside_robots.pcap.xz")

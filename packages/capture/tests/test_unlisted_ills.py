@@ -117,6 +117,12 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
         ),
         (
+            "robot_with_zenoh",  # its router runs on a host with DDS nodes
+            "10.77.0.3 uses a different middleware than the other hosts",
+            "10.77.0.1, 10.77.0.101 and 10.77.0.2 speak DDS, and 10.77.0.3 speaks Zenoh",
+            "Set the same RMW_IMPLEMENTATION on all hosts",
+        ),
+        (
             "address_by_dhcp",
             "10.77.0.3 got another address, but other hosts still look for it at the old one",
             "10.77.0.3 has been 10.77.0.33 since 4.1 s",
@@ -339,7 +345,7 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
         ),
         (
             "roams_longer_than_lease",
-            "10.77.0.2 sent nothing for a while and came back, although its process kept running.",
+            "10.77.0.2 lost its connection for a while and came back, although its process kept",
             "Check the radio of 10.77.0.2: roaming",
         ),
         (
@@ -644,6 +650,26 @@ def test_a_participant_that_fast_dds_disposes_of_without_its_key_has_left() -> N
     assert (found.kind, found.hosts) == ("command loop", ("10.77.0.4",))
     assert "said goodbye 6 times, about every 2.0 s" in found.evidence
     assert {one.about for one in others} == {"capture"}
+
+
+def test_an_outage_explains_the_frames_that_are_lost_in_it() -> None:
+    found = diagnosis("outage_of_3_s")
+    assert [one.kind for one in found.findings] == ["outages"]
+    assert found.summary().startswith("10.77.0.2 lost its connection for a while and came back")
+    assert "10.77.0.2 sent nothing from 7.7 s to 10.8 s, while others sent" in found.summary()
+
+
+def test_late_acknowledgments_of_tcp_show_a_radio_that_sleeps() -> None:
+    (found,) = diagnosis("power_save_zenoh").wrong
+    assert (found.kind, found.hosts) == ("late delivery", ("10.77.0.2",))
+    assert "from 10.77.0.101 to 10.77.0.2 waited at least 132 ms longer" in found.evidence
+    assert "Turn power saving off on 10.77.0.2" in found.advice
+
+
+def test_replies_that_are_errors_are_no_replies() -> None:
+    (found,) = diagnosis("service_replies_by_errors").findings
+    assert (found.kind, found.hosts) == ("no Zenoh reply", ("10.77.0.2",))
+    assert "10 requests of /robot2/is_path_valid (service); it replied to 0" in found.evidence
 
 
 def test_a_router_that_refuses_a_session_has_not_left() -> None:

@@ -242,7 +242,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     hosts = {host for one in roots for host in one.hosts}
     others = [one for one in _unreplaced(causes, causes) if one not in roots]
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
-    lossy = _unreplaced(losses.frame_loss(evidence), causes)
+    lossy = _unreplaced(losses.frame_loss(evidence), [*causes, *events])
     if obs.recording.truncated_share > LIMITS.max_truncated_share:
         causes, lossy = list(connectivity.different_domains(evidence)), []
     causes = _unreplaced(causes, lossy) or list(unexplained_pairs(evidence, "not authenticated"))
@@ -251,7 +251,7 @@ def diagnose(obs: Observations) -> Diagnosis:
         causes = list(unexplained_pairs(evidence, "incomplete"))
     others = _unreplaced(run_rules("other", evidence), [*causes, *events])
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
-    findings = [*causes, *lossy, *others]
+    findings = _unreplaced([*causes, *lossy, *others], others)
     absent = {host for one in findings if one.role == "missing" for host in one.hosts}
     findings.sort(key=lambda one: [*finding_kinds()].index(one.kind))
     # First what is wrong with the missing hosts, such as a server that was not started there.

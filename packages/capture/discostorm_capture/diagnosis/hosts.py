@@ -12,6 +12,7 @@ from discostorm import _checks, wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
+from discostorm_capture.diagnosis.losses import frame_loss
 from discostorm_capture.diagnosis.observations import ExpectedHosts, Observations
 from discostorm_capture.sentences import join_names, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
@@ -142,7 +143,11 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
     speakers: dict[str, set[str]] = {"RTPS": set(), "Zenoh": set()}
     for scope in evidence.scopes:
         speakers[scope.protocol] |= {*scope.hosts}
-    calls = evidence.obs.event_tuples("connection", "half", "refused", "unanswered")
+    # A router without endpoints says nothing about nodes of DDS on its host.
+    obs = evidence.obs
+    nodes = ~obs.is_rtps & (~obs.is_server | (obs.processes["endpoints"].to_numpy() > 0))
+    speakers["Zenoh"] -= speakers["RTPS"] - {*obs.process_host[nodes]}
+    calls = obs.event_tuples("connection", "half", "refused", "unanswered")
     # Skip port scanners, which call this port among others.
     ports = Counter(ends[:2] for ends in {row[1:4] for row in calls})
     called = {row[1:3] for row in calls if row[3] == ZENOH_PORT}
@@ -308,6 +313,16 @@ def power_saving(evidence: Evidence) -> Iterator[Finding]:
         asked = _burst_times(asked[(asked >= bursts[0]) & (asked <= bursts[-1])])
         if steady and len(asked) > 2 * len(bursts):
             yield Finding.of("power saving", (host,), len(bursts), period, len(asked))
+
+
+def late_deliveries(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts to which TCP segments are under way for long at times, if no frames are lost."""
+    late = evidence.obs.events("jitter")
+    late = late[late["port"] >= 1e3 * LIMITS.min_jitter]
+    if len(late) and not [*frame_loss(evidence)]:
+        for to, rows in late.groupby("receiver", observed=True):
+            by = sorted({*rows["sender"].astype(str)})
+            yield Finding.of("late delivery", (str(to),), rows["port"].max(), by)
 
 
 def _burst_times(times: Array) -> Array:

@@ -7,6 +7,7 @@ import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
+from discostorm_capture.diagnosis.losses import find_losses
 from discostorm_capture.diagnosis.pairs import first_of_each_burst
 from discostorm_capture.sentences import join_names, say
 
@@ -101,6 +102,28 @@ def absent_hosts(evidence: Evidence) -> Iterator[Finding]:
         enough = max(LIMITS.max_pause, LIMITS.min_pause_ratio * np.sort(pauses)[-2])
         if end - begin > enough and count >= LIMITS.min_unanswered_messages and stays.any():
             yield Finding.of("away", (host,), begin, end, count)
+
+
+def outages(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a host that sent nothing at times, if nearly all lost frames fall into these times."""
+    obs, begins = evidence.obs, evidence.obs.first_last[0]
+    *_, lost = find_losses(evidence)
+    for host in obs.host_first_last if len(lost) else ():
+        spoke = np.unique(obs.time[obs.isin("sender", host)])
+        begin, end = spoke[:-1], spoke[1:]
+        usual = np.quantile(end - begin, LIMITS.min_steady_share) if len(begin) else np.inf
+        asks = obs.time[obs.isin("receiver", host) & ~obs.isin("submessage", "ACKNACK")]
+        asked, vain = (
+            np.subtract(*(np.searchsorted(np.sort(times), at) for at in (end, begin)))
+            for times in (asks, lost)
+        )
+        away = (end - begin > max(LIMITS.min_hang, LIMITS.min_outage_ratio * usual)) & (vain > 0)
+        away &= begin > begins[obs.process_host == host].min(initial=np.inf) + LIMITS.startup_time
+        away &= asked >= LIMITS.min_calls
+        if vain[away].sum() >= max(LIMITS.min_calls, LIMITS.min_share_of_one_host * len(lost)):
+            spans = [f"{a:.1f} s to {b:.1f} s" for a, b in zip(begin[away], end[away], strict=True)]
+            yield Finding.of("outages", (host,), spans, asked[away].sum())
+            return
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:

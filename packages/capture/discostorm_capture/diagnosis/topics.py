@@ -200,6 +200,20 @@ def silent_services(evidence: Evidence) -> Iterator[Finding]:
             texts.setdefault(host, []).append(say("no reply", service, by, len(asks), host))
     for host, said in texts.items():
         yield Finding("no reply", (host,), "; ".join(said))
+    zenoh = evidence.endpoints[~obs.is_rtps[evidence.endpoints["index"]]]
+    asked = zenoh["topic"].astype(str).str.startswith("rq/")
+    served = zenoh[asked & ~zenoh["writer"].astype(bool)]
+    for _, rows in served.groupby("index"):
+        process, host = rows["index"].iloc[0], str(rows["host"].iloc[0])
+        times = obs.time[obs.isin("submessage", "Request") & (obs.receiver_index == process)]
+        good, bad = (
+            int((obs.isin("submessage", way) & (obs.sender_index == process)).sum())
+            for way in ("Response", "ResponseErr")
+        )
+        lasts = len(times) >= LIMITS.min_calls and np.ptp(times) >= LIMITS.timeout
+        if lasts and (not good or bad >= LIMITS.min_calls):
+            names = sorted({*rows["topic"].map(ros_topic)})
+            yield Finding.of("no Zenoh reply", (host,), len(times), names, good, bad)
 
 
 def missing_clock(evidence: Evidence) -> Iterator[Finding]:

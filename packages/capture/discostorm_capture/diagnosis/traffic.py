@@ -306,7 +306,14 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
     obs, ends, sender = evidence.obs, evidence.endpoints, evidence.obs.messages["sender"].cat
     seconds = obs["airtime_s"] * obs["user"] * ~obs.isin("submessage", "ACKNACK")
     lossy = {one.hosts for one in repeated_multicast(evidence)}
-    limits = {"stream by multicast": LIMITS.max_multicast_use, "much data": LIMITS.max_channel_use}
+    loss = [one.evidence for one in frame_loss(evidence) if one.about == "fleet"]
+    limits = {
+        "stream by multicast": LIMITS.max_multicast_use,
+        # A link that loses frames is slower than the channel.
+        "stream on a slow link" if loss else "much data": (
+            LIMITS.max_multicast_use if loss else LIMITS.max_channel_use
+        ),
+    }
     for (kind, limit), cast in zip(limits.items(), (True, False), strict=True):
         rows = (seconds > 0) & (obs["multicast"] == cast)
         if seconds[rows].sum() < limit * max(obs.end, LIMITS.timeout):
@@ -318,7 +325,8 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
         host = str(sender.categories[key[0]])
         lasts = len(np.unique(obs.time[flows[key]].astype(np.int64)))
         if lasts >= LIMITS.min_stream_seconds and (host,) not in lossy:
-            yield Finding.of(kind, (host,), "".join(topics[:1]) or "its data", *shares)
+            said = say(kind, (host,), "".join(topics[:1]) or "its data", *shares, *loss)
+            yield Finding(kind, (host,), said)
 
 
 def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
