@@ -861,6 +861,7 @@
       text: color("text-base"),
       background: color("background"),
       border: color("border"),
+      font: style.getPropertyValue("--ds-sans").trim(),
       lines: Object.fromEntries(Object.keys(MODEL.protocols).map((name) => [name, style.getPropertyValue(MODEL.protocols[name].color).trim()])),
     };
   }
@@ -963,7 +964,7 @@
       ctx.lineTo(bbox.left + bbox.width, limit);
       ctx.stroke();
       ctx.setLineDash([]);
-      ctx.font = `${13 * scale}px sans-serif`;
+      ctx.font = `${13 * scale}px ${theme.font}`;
       // Where no curve runs: at either end of the line, above it or below, in fewer words if there is little
       // room; if there is none, on a plate.
       ctx.textBaseline = "bottom";
@@ -1047,14 +1048,14 @@
     );
     const { log, hosts, low, high } = view(answer);
     const { x, lines } = curve(answer);
-    const { text, border } = theme;
+    const { text, border, font } = theme;
     const axis = (label, size, splits, values, steps) => ({
       label,
       size,
       labelSize: 24,
       stroke: text,
-      font: "13px sans-serif",
-      labelFont: "13px sans-serif",
+      font: `13px ${font}`,
+      labelFont: `13px ${font}`,
       grid: { stroke: border, width: 1 },
       ticks: { stroke: border, width: 1 },
       // uPlot's own steps end at 1e32, beyond which it would draw no axis.
