@@ -9,8 +9,9 @@
   const reduced = matchMedia("(prefers-reduced-motion: reduce)").matches;
 
   const [STEPS, LOOKS] = [60, 50]; // of the simulator between two looks at the queue; looks in a share
-  // How long a frame takes across the view, a moment is held, and until the show begins anew [s].
-  const [VIEW, HOLD, REST] = [2, 4, 4];
+  // How long a frame takes across the view, how far a moment has come when it is held, for how long it
+  // is, and until the show begins anew [s].
+  const [VIEW, LEAD, HOLD, REST] = [2, 0.7, 4, 4];
   const FULL = 0.97; // of the queue
 
   // The lanes of one middleware, and of another to compare it with, on the same clock.
@@ -208,15 +209,17 @@
     marked.forEach((button, i) => button.setAttribute("aria-pressed", i === now));
   }
 
+  const heldAt = (i) => Math.min(clock.seconds, moments[i] ? moments[i].time / clock.rate + LEAD : 0);
+
   function frame(now) {
     last ??= now;
     const passed = Math.min(0.1, (now - last) / 1000);
     last = now;
     if (held > passed) held -= passed;
     else [time, held] = [time + passed, 0];
-    while (next < moments.length && (moments[next]?.time ?? 0) <= time * clock.rate) {
+    while (next < moments.length && heldAt(next) <= time) {
       // The end is held anyway.
-      if (moments[next] && next < moments.length - 1) [time, told, held] = [moments[next].time / clock.rate, -1, HOLD];
+      if (moments[next] && next < moments.length - 1) [time, told, held] = [heldAt(next), -1, HOLD];
       next++;
       if (held) break;
     }
@@ -242,7 +245,7 @@
     play(false);
     if (i === moments.length) finish();
     enter(Number(i === moments.length));
-    if (!stage) [time, told, next, held] = [moments[i].time / clock.rate, -1, i + 1, 0];
+    if (!stage) [time, told, next, held] = [heldAt(i), -1, i + 1, 0];
     if (i === moments.length - 1) finish();
     picture();
   }

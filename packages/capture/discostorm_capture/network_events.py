@@ -8,22 +8,22 @@ from discostorm_capture._types import Array, Bytes, Columns
 
 #: Kinds of events. Instead of a port, ARP and MAC have the sender's MAC address, and segments that
 #: arrived or vanished their payload size [B], time stamps their seconds, other traffic its bytes,
-#: jitter its milliseconds.
+#: jitter its milliseconds, and datagrams that are incomplete 0.
 EVENT_KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
-    *("time stamp", "parts missing", "other traffic", "MAC", "prohibited", "jitter"),
+    *("time stamp", "parts missing", "other traffic", "MAC", "prohibited", "jitter", "incomplete"),
 )
 _ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
 _HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED = range(6, 11)
-_TIME_STAMP, _PARTS, _OTHER, _MAC, _PROHIBITED, _JITTER = range(11, 17)
+_TIME_STAMP, _PARTS, _OTHER, _MAC, _PROHIBITED, _JITTER, _INCOMPLETE = range(11, 18)
 _ARP_BYTES, _DESTINATION_UNREACHABLE, _REASSEMBLY_TIMEOUT, _ECHOES = 28, 3, 0x0B01, (0, 8)
 #: ICMP codes of a firewall that rejects a packet: network, host or communication (RFC 1812).
 _PROHIBITED_CODES = (9, 10, 13)
 #: A segment has vanished after this many transmissions without an acknowledgement.
 _MIN_TRANSMISSIONS = 3
 #: The delays of a stream are compared if there are so many.
-_MIN_DELAYS = 20
+_MIN_DELAYS = 50
 
 
 def _event_table(kind: Array | int, **columns: Array) -> Columns:
@@ -107,11 +107,11 @@ def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
 def acknowledgement_jitter(streams: tcp.Streams, since: Array) -> Columns:
     """Return one event for each stream of many segments: by how much their delays differ [ms].
 
-    That is the median less the 10 % quantile, which a long but steady path does not raise.
+    That is the 90 % less the 10 % quantile, which a long but steady path does not raise.
     """
     delays = [of for of in tcp.acknowledgement_delays(streams, since) if len(of[1]) >= _MIN_DELAYS]
     rows = np.array([row for row, _ in delays], np.int64)
-    jitter = [1e3 * np.diff(np.quantile(of, (0.1, 0.5))).item() for _, of in delays]
+    jitter = [1e3 * np.diff(np.quantile(of, (0.1, 0.9))).item() for _, of in delays]
     events = _events_of_rows(_JITTER, streams.segments, rows)
     return events | {"port": np.array(jitter, np.int64)}
 
@@ -151,6 +151,12 @@ def mac_addresses(packets: Columns) -> Columns:
     np.maximum.at(last, code, np.arange(len(code)))
     rows = np.concatenate([first, last])
     return _events_of_rows(_MAC, packets, rows) | {"port": packets["mac"][rows]}
+
+
+def incomplete_datagrams(fragments: Columns, rows: Array) -> Columns:
+    """Return one event for each datagram that lacks fragments, given one fragment of each."""
+    columns = {name: fragments[name][rows] for name in ("frame", "source", "target")}
+    return _event_table(_INCOMPLETE, **columns, port=np.zeros(len(rows), np.int64))
 
 
 def two_way_exchanges(datagrams: Columns) -> Columns:

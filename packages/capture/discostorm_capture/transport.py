@@ -47,13 +47,13 @@ def parse_transport(packets: Packets, notes: Notes) -> IpContent:
     arp = network_events.arp_events(data, network, addresses)
     network = take_rows(network, network["ethertype"] != link_layer.ARP)
     network = ip.parse_ip(data, network, addresses, notes)
-    data, network = reassemble(data, network, packets.table["time"], notes)
+    data, network, broken = reassemble(data, network, packets.table["time"], notes)
     datagrams, segments = ip.udp_datagrams(data, network), ip.tcp_segments(data, network)
     notes.add_where(network["protocol"] == ip.IPSEC_ESP, "encrypted IP packets")
     notes.add_where(np.isin(network["protocol"], ip.TUNNEL_PROTOCOLS), TUNNELS_NOTE)
     notes.add_where(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELS_NOTE)
     icmp = network_events.icmp_unreachable_events(data, network, addresses)
-    events = concat(arp, icmp, network_events.icmp_echoes(data, network))
+    events = concat(arp, icmp, network_events.icmp_echoes(data, network), broken)
     counts = {"ARP": len(arp["frame"])} | {
         name: int(network["parts"][network["protocol"] == protocol].sum())
         for name, protocol in (("UDP", ip.UDP), ("TCP", ip.TCP))
@@ -117,20 +117,24 @@ class _PendingDatagram:
     received_bytes: int = 0
 
 
-def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tuple[Bytes, Columns]:
-    """Replace fragments by reassembled datagrams; return the extended bytes and the packets.
+def reassemble(
+    data: Bytes, packets: Columns, time: Array, notes: Notes
+) -> tuple[Bytes, Columns, Columns]:
+    """Replace fragments by datagrams; return the extended bytes, the packets, and events.
 
-    A datagram gets the frame that completed it, and ``parts``, the number of its frames. A first
-    fragment that the capture truncates stays, to be read as far as it goes.
+    The events are the datagrams that lack fragments. A datagram gets the frame that completed it,
+    and ``parts``, the number of its frames. A first fragment that the capture truncates stays, to
+    be read as far as it goes.
     """
     is_fragment = (packets["offset"] > 0) | packets["more"]
     if not is_fragment.any():
-        return data, packets
+        return data, packets, network_events.incomplete_datagrams(packets, np.array([], np.int64))
     truncated = packets["end"] - packets["at"] < packets["wire"]
     valid = (packets["wire"] > 0) & (packets["offset"] + packets["wire"] <= _MAX_DATAGRAM_BYTES)
     fragments = take_rows(packets, is_fragment & ~truncated & valid)
     rest = take_rows(packets, ~is_fragment | (truncated & (packets["offset"] == 0)))
-    made = _complete_datagrams(data, fragments, time, notes)
+    made, broken = _complete_datagrams(data, fragments, time)
+    notes.add_where(broken >= 0, MISSING_FRAGMENTS_NOTE)
     content, starts, ends = data.data, fragments["at"].tolist(), fragments["end"].tolist()
     parts = [content]
     for datagram in made:
@@ -143,13 +147,14 @@ def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tupl
     joined["parts"] = np.array([len(one.rows) for one in made], np.int32)
     replaced = concat(rest, joined)
     replaced = take_rows(replaced, np.argsort(replaced["frame"], kind="stable"))
-    return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8), replaced
+    events = network_events.incomplete_datagrams(fragments, broken)
+    return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8), replaced, events
 
 
 def _complete_datagrams(
-    data: Bytes, fragments: Columns, time: Array, notes: Notes
-) -> list[_PendingDatagram]:
-    """Return the datagrams of which all fragments were captured."""
+    data: Bytes, fragments: Columns, time: Array
+) -> tuple[list[_PendingDatagram], Array]:
+    """Return the datagrams with all fragments, and the first row of each of the others."""
     pending: dict[tuple[int, ...], list[_PendingDatagram]] = defaultdict(list)
     complete, incomplete = [], []
     keys = ("source", "target", "protocol", "id", "capture_point")
@@ -181,9 +186,9 @@ def _complete_datagrams(
     identities = partial(_fragment_identities, data, fragments)
     # All fragments of an incomplete datagram may repeat those of complete ones.
     used = set().union(*map(identities, complete if incomplete else ()))
-    if missing := {part for part in map(identities, incomplete) if not part <= used}:
-        notes[MISSING_FRAGMENTS_NOTE] += len(missing)
-    return complete
+    first_rows = {identities(one): next(iter(one.rows.values())) for one in incomplete}
+    missing = sorted(row for identity, row in first_rows.items() if not identity <= used)
+    return complete, np.array(missing, np.int64)
 
 
 def _fragment_identities(

@@ -247,21 +247,26 @@ def _add_fragments(data: Bytes, parsed: Columns, messages: Columns, seen: _Roste
 def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list[int]]:
     """Return the rows of fragments, one list for each message of which all were captured."""
     pending: dict[tuple[int, int, bytes], list[int]] = {}
-    complete = []
+    complete, lacking, last = [], 0, dict[tuple[int, int, bytes], int]()
     for row in np.flatnonzero(parsed["code"] == CODES["transport"][FRAGMENT]).tolist():
         head, at, begin = (int(parsed[name][row]) for name in ("head", "at", "number"))
-        # The sequence number ends with a byte below 128; then extensions follow.
-        extension = at + 1
+        # The sequence number, of 7 bits a byte, ends with a byte below 128; extensions follow.
+        extension, number = at + 1, int(data[at + 1]) & 0x7F
         while extension < begin and data[extension] > 0x7F:
             extension += 1
+            number |= (int(data[extension]) & 0x7F) << 7 * (extension - at - 1)
         qos = data[extension + 1 : min(extension + 3, begin)].tobytes()
         is_qos = len(qos) == 2 and qos[0] & 0x7F == _QOS_EXTENSION
         key = int(parsed["stream"][row]), head & _RELIABLE_FLAG, qos[1:] if is_qos else b""
+        if pending.get(key) and number != last[key] + 1:
+            del pending[key]
+            lacking += 1
         pending.setdefault(key, []).append(row)
+        last[key] = number
         if not head & MORE_FLAG:
             complete.append(pending.pop(key))
-    if pending:
-        notes["Zenoh messages lack fragments"] += len(pending)
+    if lacking + len(pending):
+        notes["Zenoh messages lack fragments"] += lacking + len(pending)
     return complete
 
 

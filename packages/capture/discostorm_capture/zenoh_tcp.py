@@ -1,6 +1,9 @@
 """Zenoh over TCP: recognize its streams, and find the batches in them."""
 
+import itertools
 from array import array
+from collections.abc import Container, Iterator
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +17,9 @@ _HTTPS_PORT = 443
 #: Minimum share of segments that look like batches in a stream without captured start [1], and
 #: their minimum number at ports other than Zenoh's.
 _MIN_BATCH_SHARE, _MIN_BATCH_SEGMENTS = 0.8, 3
+#: Kinds of batches of a session; after a gap, so many in a row are no accident.
+_BATCH_KINDS = range(zenoh_messages.INIT, zenoh_messages.FRAGMENT + 1)
+_MIN_BATCHES = 4
 
 
 def starts_with_batch(data: Bytes, at: Offsets, size: Array) -> Array:
@@ -81,20 +87,23 @@ def find_batches(
     rows, unread = array("q"), 0
     for begin, end, stream, is_start in content.gapless_runs:
         special = zenoh_messages.unreadable_feature(stream, reverse, opened)
-        at, count = begin, 0
-        if not is_start:
-            at = end if special else _first_batch_after_gap(content, begin, end)
-            unread += at - begin
-        while at + 3 <= end and not (special and count == zenoh_messages.OPENING_BATCHES):
-            after = at + 2 + data[at] + 256 * data[at + 1]
-            if after > end or after == at + 2:
-                break
-            rows.extend((at + 2, after, stream))
-            at, count = after, count + 1
+        at = begin
+        if is_start:
+            most = zenoh_messages.OPENING_BATCHES if special else end
+            found = list(itertools.islice(_batches_from(data, begin, end), most))
+            rows.extend(itertools.chain(*((*batch, stream) for batch in found)))
+            at = found[-1][1] if found else begin
         if special:
             notes[f"bytes of Zenoh sessions with {special}"] += end - at
-        else:
-            unread += end - at
+            continue
+        for start in _possible_batches(content, at, end) if at < end else ():
+            if start < at:
+                continue
+            found = [*_batches_from(data, start, end, _BATCH_KINDS)]
+            if len(found) >= _MIN_BATCHES or (found and found[-1][1] == end):
+                rows.extend(itertools.chain(*((*batch, stream) for batch in found)))
+                unread, at = unread + start - at, found[-1][1]
+        unread += end - at
     if unread:
         notes[
             "bytes of Zenoh streams could not be read, as they are next to gaps or at the ends"
@@ -106,13 +115,25 @@ def find_batches(
     return dict(zip(("at", "end", "stream"), columns, strict=True))
 
 
-def _first_batch_after_gap(content: StreamContent, begin: int, end: int) -> int:
-    """Return the offset of the first batch after a gap; it must start a segment."""
+def _batches_from(
+    data: Any, at: int, end: int, kinds: Container[int] = range(32)
+) -> Iterator[tuple[int, int]]:
+    """Yield the first byte and the end of successive batches, while these are of some kinds."""
+    while at + 3 <= end and data[at + 2] & 0x1F in kinds:
+        after = at + 2 + data[at] + 256 * data[at + 1]
+        if after > end or after == at + 2:
+            return
+        yield at + 2, after
+        at = after
+
+
+def _possible_batches(content: StreamContent, begin: int, end: int) -> list[int]:
+    """Return the offsets of segments that may start with a batch."""
     first, last = np.searchsorted(content.parts["at"], (begin, end))
     at, size = content.parts["at"][first:last], content.parts["size"][first:last]
     data = content.data
-    good = np.flatnonzero(starts_with_batch(data, at, size) | is_init_batch(data, at, size))
-    return int(at[good[0]]) if len(good) else end
+    alike = starts_with_batch(data, at, size) | is_init_batch(data, at, size)
+    return [int(one) for one in at[alike]]
 
 
 def note_tls_connections(data: Bytes, streams: Streams, notes: Notes) -> None:

@@ -631,6 +631,13 @@ def test_a_gap_is_noted_and_what_follows_it_is_read(read: Read) -> None:
     assert any("gaps" in note for note in capture.notes)
 
 
+def test_a_part_of_a_message_that_looks_like_a_batch_does_not_end_the_reading(read: Read) -> None:
+    payload = b"\x09\x00\x25" + bytes(30)  # as of a Frame of nine bytes, followed by nothing
+    found = session(KEEP_ALIVE, DECLARE[:20], payload, *[KEEP_ALIVE] * 4)
+    capture = read(raw(*found[:3], *found[4:]))
+    assert zenoh_kinds(capture) == ["Init", *["KeepAlive"] * 5]
+
+
 @pytest.mark.parametrize("first", [1, 2])
 def test_a_session_that_was_open_before(first: int, read: Read) -> None:
     capture = read(raw(*session(DECLARE, *[KEEP_ALIVE] * 3)[first:]))

@@ -1,6 +1,8 @@
 """Findings about the capture itself: encryption, late begin, gaps, vantage host, clock, end."""
 
+from collections import Counter
 from collections.abc import Iterator
+from ipaddress import ip_address
 from itertools import permutations
 
 import numpy as np
@@ -8,7 +10,7 @@ import numpy as np
 from discostorm import wording
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
-from discostorm_capture.diagnosis.observations import ENCRYPTED, HEARTBEAT
+from discostorm_capture.diagnosis.observations import ENCRYPTED, HEARTBEAT, Observations
 from discostorm_capture.sentences import say
 
 #: Maximum number of clock steps that are reported.
@@ -55,9 +57,22 @@ def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
     text += [say("lacks host", count, host) for host, count in evidence.silent_hosts.items()]
     if text:
         hosts = sorted({*missing, *evidence.silent_hosts})
-        if (count := evidence.obs.recording.incomplete_datagrams) >= LIMITS.min_messages:
-            yield Finding("samples in parts", (), say("lack fragments", count))
+        yield from _incomplete_samples(evidence.obs)
         yield Finding("capture lost part", tuple(hosts), "; ".join(text))
+
+
+def _incomplete_samples(obs: Observations) -> Iterator[Finding]:
+    """Report that IP datagrams lack fragments, and whether most of them are multicast."""
+    flows = Counter(row[1:3] for row in obs.event_tuples("incomplete"))
+    if (count := flows.total()) < LIMITS.min_messages:
+        return
+    (sender, receiver), most = flows.most_common(1)[0]
+    text = say("lack fragments", count, most, sender, receiver)
+    alone = most >= LIMITS.min_share_of_one_host * count
+    if alone and ip_address(receiver).is_multicast:
+        yield Finding("multicast in parts", (sender,), text)
+    else:
+        yield Finding("samples in parts", (), text)
 
 
 def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:

@@ -288,6 +288,8 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
         if asks := [f"{by} asked for {of}" for by, of in obs.unanswered_arp if by in silent]:
             text += f"; {join_names(asks)} by ARP, and got no answer"
         kind = "missing" if len(silent) < len(absent) else "missing, but on"
+        if present and not any(":" in of or obs.subnet_neighbors(of, present) for of in absent):
+            kind = "missing, other subnet"
         yield Finding("missing, wrong address" if asks else kind, absent, text)
 
 
@@ -313,6 +315,24 @@ def power_saving(evidence: Evidence) -> Iterator[Finding]:
         asked = _burst_times(asked[(asked >= bursts[0]) & (asked <= bursts[-1])])
         if steady and len(asked) > 2 * len(bursts):
             yield Finding.of("power saving", (host,), len(bursts), period, len(asked))
+
+
+def held_back_packets(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that pause again and again, and then send all samples of the pause at once."""
+    obs = evidence.obs
+    for process, host in enumerate(obs.process_host):
+        sent = np.unique(obs.time[obs["user"].astype(bool) & (obs.sender_index == process)])
+        if len(sent) < LIMITS.min_messages:
+            continue
+        pauses, rate = np.diff(sent), len(sent) / np.ptp(sent)
+        usual = float(np.median([*np.diff(_burst_times(sent)), np.inf]))
+        long = np.flatnonzero(pauses > max(LIMITS.max_transit, LIMITS.min_pause_ratio * usual))
+        after = sent[long + 1] + LIMITS.max_burst_pause
+        burst = np.searchsorted(sent, after) - long - 1
+        long = long[burst >= np.maximum(LIMITS.min_messages, pauses[long] * rate / 2)]
+        if len(long) >= LIMITS.min_calls:
+            spans = pauses[long]
+            yield Finding.of("held back", (host,), len(long), spans.min(), spans.max())
 
 
 def late_deliveries(evidence: Evidence) -> Iterator[Finding]:

@@ -105,8 +105,9 @@ def absent_hosts(evidence: Evidence) -> Iterator[Finding]:
 
 
 def outages(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a host that sent nothing at times, if nearly all lost frames fall into these times."""
+    """Yield hosts that sent nothing at times, if nearly all lost frames fall into these times."""
     obs, begins = evidence.obs, evidence.obs.first_last[0]
+    away_hosts: dict[str, list[str]] = {}
     *_, lost = find_losses(evidence)
     for host in obs.host_first_last if len(lost) else ():
         spoke = np.unique(obs.time[obs.isin("sender", host)])
@@ -121,9 +122,12 @@ def outages(evidence: Evidence) -> Iterator[Finding]:
         away &= begin > begins[obs.process_host == host].min(initial=np.inf) + LIMITS.startup_time
         away &= asked >= LIMITS.min_calls
         if vain[away].sum() >= max(LIMITS.min_calls, LIMITS.min_share_of_one_host * len(lost)):
-            spans = [f"{a:.1f} s to {b:.1f} s" for a, b in zip(begin[away], end[away], strict=True)]
-            yield Finding.of("outages", (host,), spans, asked[away].sum())
-            return
+            spans = zip(begin[away], end[away], asked[away], strict=True)
+            away_hosts[host] = [say("outage", *span) for span in spans]
+    text = "; ".join(f"{of} sent nothing {join_names(spans)}" for of, spans in away_hosts.items())
+    if away_hosts:
+        kind = "outages" if len(away_hosts) == 1 else "network outage"
+        yield Finding.of(kind, tuple(away_hosts), text)
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:

@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator
+from ipaddress import ip_address
 from itertools import chain
 from typing import Any
 
@@ -98,10 +99,14 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     again, sent = np.sum(both, axis=0).tolist()
     share, low, high = (wording.percent(one) for one in (again / sent, *_wilson_ci(again, sent)))
     text = say("loss", when.min(), when.max(), again, sent, share, low, high)
-    ((host, most),) = ends.most_common(1)
-    if len(ends) > 2 and most >= LIMITS.min_share_of_one_host * again:
+    least = LIMITS.min_share_of_one_host * again
+    # Of the hosts with a part in nearly all of them, that with the fewest frames, as one that
+    # recorded, or a server, has a part in all frames.
+    hosts = [of for of, count in ends.items() if count >= least and of != evidence.obs.vantage_host]
+    host = min(hosts, key=total.__getitem__, default="")
+    most = ends[host]
+    if len(total) > 2 and host:
         text += f"; {wording.percent(most / again)} of the repeated ones were from or to {host}"
-        # A server, or the host that recorded, has a part in all frames; an outage loses few.
         apart = total[host] < LIMITS.min_share_of_one_host * sent and most >= LIMITS.min_repeats
         own, full = most / total[host], evidence.channel_use >= LIMITS.max_channel_use
         if apart and own >= LIMITS.min_weak_share and not full:
@@ -113,7 +118,10 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     normal &= not [*evidence.incomplete_pairs, *multicast_loss(evidence)]
     loss = Finding("heavy loss" if heavy else "some loss" if normal else "loss", (), text)
     broken = evidence.obs.recording.incomplete_datagrams >= LIMITS.min_repeats
-    yield ((loss.about == "fleet" or broken) and _crowded_link(evidence.obs, text)) or loss
+    crowded = _crowded_link(evidence.obs, text)
+    # Little loss is a sign, too, if the host that loses frames is the one that sends so much.
+    serious = loss.about == "fleet" or broken or (crowded and crowded.hosts == (host,))
+    yield (serious and crowded) or loss
 
 
 def _crowded_link(obs: Observations, text: str) -> Finding | None:
@@ -124,7 +132,10 @@ def _crowded_link(obs: Observations, text: str) -> Finding | None:
         return None
     host = str(flows.idxmax())
     rate = f"{8e-6 * octets / max(obs.end, LIMITS.timeout):.2g} Mbit/s"
-    return Finding("crowded link", (host,), f"{say('crowded link', host, rate)}; {text}")
+    own = obs.events("other traffic").query("sender == @host")
+    to = str(own.groupby("receiver", observed=True)["port"].sum().idxmax())
+    to += " (multicast)" * ip_address(to).is_multicast
+    return Finding("crowded link", (host,), f"{say('crowded link', host, rate, to)}; {text}")
 
 
 def multicast_loss(evidence: Evidence) -> Iterator[Finding]:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 from fnmatch import fnmatchcase
 from itertools import combinations, product
+from typing import Any
 
 import numpy as np
 
@@ -19,6 +20,9 @@ from discostorm_capture.sentences import join_names, say
 
 #: Topics that each node of ROS 2 writes, and the topic on which processes list their nodes.
 NODE_TOPICS, GRAPH_TOPIC = ("rt/rosout", "rt/parameter_events"), "ros_discovery_info"
+#: Topics that different processes of one host write.
+SHARED_TOPICS = (GRAPH_TOPIC, *(f"/{name}" for name in ("rosout", "parameter_events", "tf")))
+SHARED_TOPICS += ("/tf_static", "/diagnostics")
 #: Whether topics of a type are "written" or "read" on a robot, or written by a "single" host.
 _TOPIC_TYPES = read_data("diagnosis/robot_types.csv", "discostorm_capture")
 #: The finding if several hosts write a topic, by its use.
@@ -55,6 +59,26 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
         if use in FINDINGS_BY_USE and len(by := rows["host"].unique()) > 1 and at_once:
             text = f"{ros_topic(str(topic))} is written by {join_names(by)}"
             yield Finding(FINDINGS_BY_USE[use], tuple(by), text)
+
+
+def duplicate_launch(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts on which two processes have the same endpoints at one time, unlike others."""
+    obs, own = evidence.obs, evidence.endpoints
+    own = own[~own["topic"].map(ros_topic).isin(SHARED_TOPICS)]
+    alike: dict[tuple[Any, ...], list[int]] = {}
+    for process, rows in own.groupby("index"):
+        ends = frozenset(zip(rows["topic"], rows["writer"], strict=True))
+        if len(ends) > LIMITS.min_shared_topics and any(writer for _, writer in ends):
+            key = *rows[["host", "scope"]].iloc[0], ends
+            alike.setdefault(key, []).append(int(str(process)))
+    found = dict[str, Finding]()
+    for (host, _, ends), processes in alike.items():
+        begins, ends_at = (times[processes] for times in obs.first_last)
+        if len(processes) > 1 and begins.max() < ends_at.min():
+            names = sorted({ros_topic(topic) for topic, writer in ends if writer})
+            found[host] = Finding.of("runs twice", (host,), len(ends), names)
+    if 2 * len(found) <= own["host"].nunique():  # on most hosts, it is meant
+        yield from found.values()
 
 
 def service_problems(evidence: Evidence) -> Iterator[Finding]:

@@ -11,6 +11,7 @@ from discostorm.data import read_data
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
+from discostorm_capture.diagnosis.hosts import late_deliveries
 from discostorm_capture.diagnosis.losses import SEGMENT_LOSS, frame_loss, lost_sample_frames
 from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import server_clients
@@ -306,15 +307,14 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
     obs, ends, sender = evidence.obs, evidence.endpoints, evidence.obs.messages["sender"].cat
     seconds = obs["airtime_s"] * obs["user"] * ~obs.isin("submessage", "ACKNACK")
     lossy = {one.hosts for one in repeated_multicast(evidence)}
-    loss = [one.evidence for one in frame_loss(evidence) if one.about == "fleet"]
-    limits = {
-        "stream by multicast": LIMITS.max_multicast_use,
-        # A link that loses frames is slower than the channel.
-        "stream on a slow link" if loss else "much data": (
-            LIMITS.max_multicast_use if loss else LIMITS.max_channel_use
-        ),
-    }
-    for (kind, limit), cast in zip(limits.items(), (True, False), strict=True):
+    # A link that loses or delays frames may be slower than the channel.
+    slow = [one for one in frame_loss(evidence) if one.about == "fleet"]
+    slow = slow or [*late_deliveries(evidence)]
+    slow = [one for one in slow if one.kind != "crowded link"]
+    limit = LIMITS.max_multicast_use if slow else LIMITS.max_channel_use
+    kinds = {"stream by multicast": LIMITS.max_multicast_use}
+    kinds |= {"stream on a slow link" if slow else "much data": limit}
+    for (kind, limit), cast in zip(kinds.items(), (True, False), strict=True):
         rows = (seconds > 0) & (obs["multicast"] == cast)
         if seconds[rows].sum() < limit * max(obs.end, LIMITS.timeout):
             continue
@@ -324,8 +324,10 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
         shares = [wording.percent(one / obs.end) for one in (largest, seconds[rows].sum())]
         host = str(sender.categories[key[0]])
         lasts = len(np.unique(obs.time[flows[key]].astype(np.int64)))
-        if lasts >= LIMITS.min_stream_seconds and (host,) not in lossy:
-            said = say(kind, (host,), "".join(topics[:1]) or "its data", *shares, *loss)
+        most = not slow or cast or 2 * largest >= seconds[rows].sum()
+        if lasts >= LIMITS.min_stream_seconds and (host,) not in lossy and most:
+            signs = [one.evidence for one in slow]
+            said = say(kind, (host,), "".join(topics[:1]) or "the largest stream", *shares, *signs)
             yield Finding(kind, (host,), said)
 
 
