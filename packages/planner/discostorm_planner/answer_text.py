@@ -300,7 +300,7 @@ def time_after(change: SimulatedChange) -> str:
     assert time is not None
     words = describe_time(time)
     if change.remedy.kind == "domains" and math.isfinite(time.median):
-        words = f"at least {words}"
+        words = f"{words} or longer"
     if time.expired_lease_runs:
         words = fill("leases", time=words, **_lease_counts(time))
     if change.smallest is None:
@@ -437,7 +437,7 @@ def describe_time(time: DiscoveryTime | None) -> str:
         least = number if high.endswith(f" {unit}") else low
         text += f" ({low} or more)" if late else f" ({least} to {high})"
     if time.is_lower_bound:
-        return f"at least {text}, with {format_share(time.lost)} of the messages lost"
+        return f"{text} or longer, with {format_share(time.lost)} of the messages lost"
     return text if time.repaired else f"{text}, with nothing lost"
 
 

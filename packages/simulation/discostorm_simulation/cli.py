@@ -232,7 +232,7 @@ def _with_integer_endpoints(fleet: ds.Fleet) -> ds.Fleet:
     groups = tuple(group.with_integer_endpoints() for group in fleet.groups)
     for name, group, whole in zip(fleet.names, fleet.groups, groups, strict=True):
         if f"{group.endpoints:.1f}" != f"{whole.endpoints:.1f}":
-            note = f"Note: a process of {name} has {group.endpoints:g} endpoints on average; we "
+            note = f'Note: a process of "{name}" has {group.endpoints:g} endpoints on average; we '
             click.echo(out.visible(f"{note}simulate {whole.endpoints:g}."), err=True)
     return replace(fleet, groups=groups)
 
