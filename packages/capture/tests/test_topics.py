@@ -175,7 +175,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         (
             "two_robots_in_one_domain",
             "10.77.0.1 and 10.77.0.2 use the same topic names",
-            "give each a namespace",
+            "give each its own namespace",
         ),
         (
             "tools_are_no_super_client",

@@ -356,7 +356,7 @@ def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
     asked = Counter(obs.messages["sender"][asks].astype(str))
     hosts = sorted(of for of, count in asked.items() if count >= LIMITS.min_fragment_requests)
     if hosts and not [*frame_loss(evidence)]:
-        text = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
+        text = [f"{host} ({wording.count_noun(asked[host], 'time')})" for host in hosts]
         yield Finding.of("burst loss", hosts, text)
 
 
