@@ -141,7 +141,7 @@ def test_few_swarms_give_no_interval() -> None:
     two = prediction_error.ErrorBand(0.9, 1.1, 0.1, 2, 2, 1, 1)
     assert two.coverage is None
     assert two.to_dict()["coverage"] is None
-    assert two.sentence().endswith("From so few swarms, we derive no interval.")
+    assert two.sentence().endswith("These are too few swarms for a confidence interval.")
     # Of 39 swarms, the interval leaves out the least and the most, and still holds nine in ten.
     ratios = [1 + number / 100 for number in range(39)]
     assert lab.ratio_interval(ratios[:38]) == (1.0, 1.37)

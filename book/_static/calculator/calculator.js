@@ -775,7 +775,7 @@
     return {
       ...found,
       group: `${count(hosts)} ${groupName(settings, place, hosts)}`,
-      beside: rest.length ? `, with ${rest.join(", ")}${last}` : "",
+      beside: rest.length ? `, together with ${rest.join(", ")}${last}` : "",
       total: `${count(total)} host${total === 1 ? "" : "s"}`,
     };
   }

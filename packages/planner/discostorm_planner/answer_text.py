@@ -230,7 +230,7 @@ def _hosts_in_time_text(plan: Plan) -> str:
     hosts = max(group.hosts for group in groups if group.name == name)
     others = [hosts_in_words(g.hosts, g.name or "other host") for g in groups]
     del others[[g.name for g in groups].index(name)]
-    beside = f", with {wording.join_words(others)}" * bool(others)
+    beside = f", together with {wording.join_words(others)}" * bool(others)
     values = {"count": count, "group": hosts_in_words(hosts, name or "hosts")}
     total = wording.count_noun(sum(g.hosts for g in groups) - hosts + count, "host")
     return fill("fewer", beside=beside, total=total, time=describe_time(time), **values)

@@ -80,7 +80,7 @@ def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds
     lost = wording.percent_range(found.lost.min(), found.lost.max())
     return (
         f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then some "
-        f"robots do not see each other. Here {lost} of the frames are lost and not sent again. "
+        f"robots do not see each other. In these runs, {lost} of the frames are lost for good. "
         "With recovery, startup takes longer."
     )
 
