@@ -72,7 +72,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "isolation_with_server",
             "the access point keeps its clients apart",
-            "10.77.0.1 asked",
+            "10.77.0.1 (60 samples, asked for 172 times)",
             "Turn client isolation (AP isolation) off",
         ),
         (

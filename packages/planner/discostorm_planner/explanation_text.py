@@ -128,7 +128,7 @@ def _airtime_lines(plan: Plan) -> Iterator[str]:
     time = "the steady state" if steady else _first_seconds(plan.window)
     yield f"Utilization in {time}: {_at_least(found)}{load}, so {fits}."
     if plan.reboot is not None:
-        robot = f' of "{plan.reboot.group}"' if len(plan.fleet.groups) > 1 else ""
+        robot = f' of group "{plan.reboot.group}"' if len(plan.fleet.groups) > 1 else ""
         low = wording.duration(plan.reboot.low)
         yield f"When one robot{robot} reboots, discovery needs at least {low} of airtime."
     exchanges = "full A-MPDUs" if found.differs else "one message per frame"

@@ -61,7 +61,7 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
         wants = obs.time[asks & obs.isin("sender", host)]
         lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
         if sent.sum() >= LIMITS.min_unanswered and lasted >= LIMITS.timeout:
-            texts[host] = say("no data", host, len(wants), sent.sum())
+            texts[host] = f"{sent.sum()} samples, asked for {len(wants)} times"
             links |= obs.links_of(obs.messages[sent])
         wanted = obs.time[asks & obs.isin("receiver", host)]
         often = len(wanted) >= LIMITS.min_messages and np.ptp(wanted) >= LIMITS.timeout
@@ -69,10 +69,10 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
             yield Finding.of("data kept in", (host,), len(wanted))
     # With client isolation, hosts confirm nothing at all to each other.
     if len(texts) > 1 and not {ends[::-1] for ends in links} & obs.links_of(obs.messages[confirms]):
-        yield Finding("client isolation", tuple(texts), "; ".join(texts.values()))
+        yield Finding.of("client isolation", texts, [f"{h} ({text})" for h, text in texts.items()])
         return
     for host, text in texts.items():
-        yield Finding("no data", (host,), text)
+        yield Finding.of("no data", (host,), text)
 
 
 def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:

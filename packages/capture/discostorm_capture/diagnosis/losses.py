@@ -100,7 +100,7 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     text = say("loss", when.min(), when.max(), again, sent, share, low, high)
     ((host, most),) = ends.most_common(1)
     if len(ends) > 2 and most >= LIMITS.min_share_of_one_host * again:
-        text += f"; {wording.percent(most / again)} of the repeated ones were from or to {host}"
+        text += f"; {wording.percent(most / again)} of the repeated frames were from or to {host}"
         # A server, or the host that recorded, has a part in all frames; an outage loses few.
         apart = total[host] < LIMITS.min_share_of_one_host * sent and most >= LIMITS.min_repeats
         own, full = most / total[host], evidence.channel_use >= LIMITS.max_channel_use

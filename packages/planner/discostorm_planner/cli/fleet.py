@@ -39,14 +39,14 @@ from discostorm_planner import ros2_output
 def fleet(file: str, hosts: float | None, processes: float | None, output: Output) -> None:
     """Write a fleet file from the output of ROS 2 commands.
 
-    The file holds what `ros2 node list`, `ros2 node info` or `ros2 topic list -v` print, or several
-    of these one after the other. To write such a file:
+    FILE holds the output of `ros2 node list`, `ros2 node info` or `ros2 topic list -v`, or of
+    several of these, one after the other. To write such a file:
 
     \b
       (ros2 node list; for node in $(ros2 node list); do ros2 node info $node; done) > ros2.txt
 
-    Comments in the resulting fleet file say what ROS 2 does not report, and with which of these
-    commands we never tried this on a live system.
+    Comments in the resulting fleet file say what ROS 2 does not report, and which of these outputs
+    we never tried on a live system.
 
     \b
     Examples:
