@@ -54,7 +54,7 @@ def breakdown(
     window: float,
     output: Output,
 ) -> None:
-    """Show the cost of each message type, on the uplink and on the downlink.
+    """Show the airtime of each message type, on the uplink and on the downlink.
 
     {matching}
 

@@ -55,7 +55,7 @@ def print_channels(fleet: ds.Fleet, wifi: Wifi, output: Output) -> None:
         print_note(f"Channel: {wifi.name}, {TOPOLOGY}.")
         return
     singles = {cell.name: aggregation_bounds(as_wifi(cell.wifi))[1] for cell in fleet.cells}
-    channels = "; ".join(f"{cell}: {single.name}" for cell, single in singles.items())
+    channels = "; ".join(f'{single.name} in "{cell}"' for cell, single in singles.items())
     print_note(f"Channels: {channels}. Each is {TOPOLOGY}; cells do not interfere.")
 
 

@@ -19,12 +19,12 @@ from discostorm import _names
 #: Each command of the project: the extra that brings it ("" if the core does), and its help line,
 #: which is shown without loading the command.
 COMMANDS = {
-    "breakdown": ("", "Show the cost of each message type."),
-    "capture": ("capture", "Diagnose a capture, and compare it with a model."),
+    "breakdown": ("", "Show the airtime of each message type."),
+    "capture": ("capture", "Diagnose a packet capture, and compare it with a model."),
     "claims": ("book", "List the paper's claims with their verdicts."),
     "figures": ("", "Write the paper's figures and their data."),
     "fleet": ("planner", "Write a fleet file from the output of ROS 2 commands."),
-    "plan": ("planner", "Rank the changes that help a fleet."),
+    "plan": ("planner", "Say whether a fleet's startup works, and what helps."),
     "robots": ("", "List the ready-made robots."),
     "saturation": ("", "Compute how many hosts fill the channel."),
     "simulate": ("simulation", "Simulate the startup of a fleet, frame by frame."),
@@ -107,7 +107,7 @@ def _refuse_repeated_options(ctx: click.Context, args: list[str]) -> None:
     for option in given:
         once = isinstance(option, click.Option) and not (option.multiple or option.is_flag)
         if once and (count := given.count(option)) > 1:
-            hint = "; several values go in one, with commas between"
+            hint = ", with all values separated by commas"
             raise click.UsageError(
                 f"{option.opts[0]} is given {count} times; give it once"
                 f"{hint if ',' in str(option.metavar) else ''}",

@@ -278,7 +278,8 @@ def test_commands_give_a_row_for_each_cell(tmp_path: Path) -> None:
         own = [row for row in parts if row["cell"] == cell]
         assert sum(row["uplink_s"] + row["downlink_s"] for row in own) == pytest.approx(total)
     told = run(tmp_path, "breakdown")
-    assert "Channels: hall: 802.11ac 80 MHz 2x2; yard: paper (802.11n)." in told.replace("\n", " ")
+    shown = 'Channels: 802.11ac 80 MHz 2x2 in "hall"; paper (802.11n) in "yard".'
+    assert shown in told.replace("\n", " ")
     assert "hall" in run(tmp_path, "utilization")
 
 

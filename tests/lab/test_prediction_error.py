@@ -141,14 +141,14 @@ def test_few_swarms_give_no_interval() -> None:
     two = prediction_error.ErrorBand(0.9, 1.1, 0.1, 2, 2, 1, 1)
     assert two.coverage is None
     assert two.to_dict()["coverage"] is None
-    assert two.sentence().endswith("From so few swarms, we derive no interval.")
+    assert two.sentence().endswith("These are too few swarms for a confidence interval.")
     # Of 39 swarms, the interval leaves out the least and the most, and still holds nine in ten.
     ratios = [1 + number / 100 for number in range(39)]
     assert lab.ratio_interval(ratios[:38]) == (1.0, 1.37)
     assert lab.ratio_interval(ratios) == (1.01, 1.37)
     most = prediction_error.ErrorBand(*lab.ratio_interval(ratios), 0.1, 39, 1, 1, 1)
     assert most.coverage == pytest.approx(0.9)
-    assert most.sentence().startswith("In 37 of 39 swarms within these sizes that ")
+    assert most.sentence().startswith("In 37 of 39 swarms within these sizes, not used ")
     many = prediction_error.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)
     assert many.coverage == pytest.approx(0.9)
     assert "We expect 90% of such swarms to be in this range; " in many.sentence()
@@ -299,7 +299,7 @@ def test_of_two_groups_the_one_that_takes_most_reboots() -> None:
     plan = ds.plan(ds.Fleet(groups), ds.PROTOCOLS["Fast DDS"])
     assert plan.reboot is not None
     assert plan.reboot.group == "laptop"
-    assert "When one robot (laptop) reboots" in " ".join(plan.why().split())
+    assert 'When one robot of group "laptop" reboots' in " ".join(plan.why().split())
 
 
 def test_a_restart_costs_more_than_its_share_of_a_start() -> None:

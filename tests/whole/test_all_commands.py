@@ -99,7 +99,7 @@ def test_plan(folder: Path) -> None:
     told = replace(robots, nodes=13, shared=28), replace(laptop, nodes=2, shared=6)
     expected = ds.plan(replace(fleet, groups=told), ds.ZENOH)
     arguments = ("plan", "fleet.toml", "--protocol|zenoh", "--nodes|13,2")
-    hints = "`--why` adds airtime, configurations and assumptions. `--all` adds all changes."
+    hints = "`--why` explains the answer. `--all` lists all changes that we tried."
     assert run(*arguments).output == f"{expected.advice()}\n{hints}\n"
     assert read_json(run(*arguments, "--json")) == expected.to_dict()
     rows = read_csv(run(*arguments, "--csv"))

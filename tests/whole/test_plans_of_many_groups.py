@@ -19,7 +19,7 @@ def fleet(groups: int) -> ds.Fleet:
 
 def test_of_many_groups_the_five_that_matter_are_named() -> None:
     plan = ds.plan(fleet(12))
-    assert plan.why().count("- Traffic from or to g") == 5
+    assert plan.why().count('- Traffic from or to "g') == 5
     assert "- Traffic from or to 7 other groups: at most" in plan.why()
     shares = [share.share for share in plan.shares_of_kind("group")]
     assert len(shares) == 12

@@ -400,7 +400,7 @@
       const several = groups.filter(([processes]) => processes > 1);
       if (!several.length || Math.max(fleet.N_E, fleet.N_E1) > SWARM[2].high) return null;
       const [[many, whose]] = several;
-      const which = several.length > 1 ? "the processes of each host" : `${count(many)} processes${groups.length > 1 ? ` of ${whose}` : ""}`;
+      const which = several.length > 1 ? "the processes of each host" : `${count(many)} processes${groups.length > 1 ? ` of "${whose}"` : ""}`;
       return {
         what: `composing ${which} into ${left}${left > 1 ? " or fewer" : ""}`,
         nodes: [nodes[0] * each, nodes[1] * each1],
@@ -775,7 +775,7 @@
     return {
       ...found,
       group: `${count(hosts)} ${groupName(settings, place, hosts)}`,
-      beside: rest.length ? `, with ${rest.join(", ")}${last}` : "",
+      beside: rest.length ? `, together with ${rest.join(", ")}${last}` : "",
       total: `${count(total)} host${total === 1 ? "" : "s"}`,
     };
   }

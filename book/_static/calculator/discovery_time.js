@@ -134,7 +134,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
     const [number, unit] = low.split(SPACE);
     const least = high.endsWith(SPACE + unit) ? number : low;
     if (low !== high) text += time.interval[1] === Infinity ? ` (${low} or more)` : ` (${least} to ${high})`;
-    if (time.isLowerBound) return `at least ${text}, with ${share(time.lost)} of the messages lost`;
+    if (time.isLowerBound) return `${text} or longer, with ${share(time.lost)} of the messages lost`;
     return time.repaired ? text : `${text}, with nothing lost`;
   }
 

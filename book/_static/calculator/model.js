@@ -132,10 +132,10 @@ const s93 = "one more program";
 const s94 = ["server", "setting"];
 const s95 = "one more program and a setting";
 const s96 = "discovery server on a robot";
-const s97 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; services count as two endpoints, as in DDS"};
+const s97 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; we count a service as two endpoints, as in DDS"};
 const s98 = ["build", "setting"];
 const s99 = "rebuilt nodes and a setting";
-const s100 = {"efforts": s98, "effort": 5, "takes": s99, "best_case": false, "cost": "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; services count as two endpoints, as in DDS; discovery cannot be complete before the last host starts"};
+const s100 = {"efforts": s98, "effort": 5, "takes": s99, "best_case": false, "cost": "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; we count a service as two endpoints, as in DDS; discovery cannot be complete before the last host starts"};
 const s101 = "another middleware";
 const s102 = {"efforts": ["switch"], "effort": 8, "takes": s101, "best_case": false, "cost": "all hosts must change together"};
 const s103 = ["switch", "server"];
@@ -278,13 +278,13 @@ const s219 = "Fast DDS 3.6 Discovery Server";
 const s220 = "Fast DDS 3.6 Discovery Server, two";
 const s221 = "switching to Fast DDS 3.6";
 const s222 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
-const s223 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in an emulated Wi-Fi cell without frame aggregation, where a fleet of 8 robots had completed only 19% of discovery after 12 s";
+const s223 = "in an emulated Wi-Fi cell without frame aggregation, real Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as in our simulation, and 8 robots had completed only 19% of discovery after 12 s";
 const s224 = {"measured": "Cyclone DDS", "range": "0.08 to 6.76", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
 const s225 = "--ds-product-cyclone-dds";
 const s226 = [
-[1, 1.67, 11.3, "In 24 swarms within these sizes that we left out of the fit, discovery took 0.68 to 1.26 times the predicted airtime (typical error 9%). We expect 92% of such swarms to be in this range"],
-[2, 1.67, 11.3, "In 9 swarms of up to twice these sizes that we left out of the fit, discovery took 0.94 to 1.44 times the predicted airtime (typical error 16%). We expect 80% of such swarms to be in this range"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 1.31 to 1.47 times the predicted airtime (typical error 39%). From so few swarms, we derive no interval"],
+[1, 1.67, 11.3, "In 24 swarms within these sizes, not used for the fit, discovery took 0.68 to 1.26 times the predicted airtime (typical error 9%). We expect 92% of such swarms to be in this range"],
+[2, 1.67, 11.3, "In 9 swarms of up to twice these sizes, not used for the fit, discovery took 0.94 to 1.44 times the predicted airtime (typical error 16%). We expect 80% of such swarms to be in this range"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, not used for the fit, discovery took 1.31 to 1.47 times the predicted airtime (typical error 39%). These are too few swarms for a confidence interval"],
 ];
 const s227 = {"until": [s165, [10, "slow at best"], s166], "never": s167};
 const s228 = {"second": 1, "lease": 10, "ever": Infinity};
@@ -334,7 +334,7 @@ const s271 = "the server forwards everything, as in Fast DDS 3.6";
 const s272 = "Cyclone DDS, wired";
 const s273 = "moving to ROS 2 Jazzy (Cyclone DDS)";
 const s274 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
-const s275 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.95 to 1.13 times the predicted airtime (typical error 5%). We expect 75% of such swarms to be in this range"]];
+const s275 = [[1, 1, 1, "In 7 swarms within these sizes, not used for the fit, discovery took 0.95 to 1.13 times the predicted airtime (typical error 5%). We expect 75% of such swarms to be in this range"]];
 const s276 = [s171, s175, s173, s232, s234];
 const s277 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s236];
 const s278 = 493.08762420957544;
@@ -359,9 +359,9 @@ const s296 = 232.6802973977695;
 const s297 = 226.06745510293473;
 const s298 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
 const s299 = [
-[1, 1.67, 11.3, "In 26 swarms within these sizes that we left out of the fit, discovery took 0.72 to 1.32 times the predicted airtime (typical error 9%). We expect 93% of such swarms to be in this range"],
-[2, 1.67, 11.3, "In 11 swarms of up to twice these sizes that we left out of the fit, discovery took 1.00 to 1.43 times the predicted airtime (typical error 22%). We expect 83% of such swarms to be in this range"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 1.28 to 1.48 times the predicted airtime (typical error 38%). From so few swarms, we derive no interval"],
+[1, 1.67, 11.3, "In 26 swarms within these sizes, not used for the fit, discovery took 0.72 to 1.32 times the predicted airtime (typical error 9%). We expect 93% of such swarms to be in this range"],
+[2, 1.67, 11.3, "In 11 swarms of up to twice these sizes, not used for the fit, discovery took 1.00 to 1.43 times the predicted airtime (typical error 22%). We expect 83% of such swarms to be in this range"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, not used for the fit, discovery took 1.28 to 1.48 times the predicted airtime (typical error 38%). These are too few swarms for a confidence interval"],
 ];
 const s300 = 432.2946357085669;
 const s301 = 726.2444541104828;
@@ -376,7 +376,7 @@ const s309 = 133.94982078853047;
 const s310 = 167.8055937643283;
 const s311 = "switching to Cyclone DDS 11";
 const s312 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
-const s313 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.94 to 1.33 times the predicted airtime (typical error 5%). We expect 75% of such swarms to be in this range"]];
+const s313 = [[1, 1, 1, "In 7 swarms within these sizes, not used for the fit, discovery took 0.94 to 1.33 times the predicted airtime (typical error 5%). We expect 75% of such swarms to be in this range"]];
 const s314 = {"count": "count11", "more": ["more31", "more32", "more2"]};
 const s315 = [s314, s314, s314];
 const s316 = {"count": "count12", "more": ["more33", "more34", "more35"]};
@@ -399,7 +399,7 @@ const s332 = 185.2367491166078;
 const s333 = 147.20074005550418;
 const s334 = 166.51716247139586;
 const s335 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
-const s336 = [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.91 to 1.10 times the predicted airtime (typical error 8%). We expect 75% of such swarms to be in this range"]];
+const s336 = [[1, 1, 1, "In 7 swarms within these sizes, not used for the fit, discovery took 0.91 to 1.10 times the predicted airtime (typical error 8%). We expect 75% of such swarms to be in this range"]];
 const s337 = 492.4140969162995;
 const s338 = 1040.4988009592325;
 const s339 = 965.8901890189019;
@@ -426,7 +426,7 @@ const s359 = "middleware and multicast endpoint data";
 const s360 = "one server, wired to the access point (measured with 2.9.1)";
 const s361 = {"measured": s149, "range": "0.72 to 1.63", "hosts": "12", "seconds": "15", "low": "0.72", "high": "1.63"};
 const s362 = "--ds-product-fast-dds";
-const s363 = [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 1.00 to 1.10 times the predicted airtime (typical error 4%). We expect 71% of such swarms to be in this range"]];
+const s363 = [[1, 1, 1, "In 6 swarms within these sizes, not used for the fit, discovery took 1.00 to 1.10 times the predicted airtime (typical error 4%). We expect 71% of such swarms to be in this range"]];
 const s364 = {"until": [s165, [20, "slow at best"], s166], "never": s167};
 const s365 = {"second": 1, "lease": 20, "ever": Infinity};
 const s366 = {"count": "count13", "more": ["more36", "more37", "more38"]};
@@ -503,7 +503,7 @@ s407,
 ];
 const s409 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
 const s410 = {"measured": "Fast DDS", "range": "0.97 to 2.03", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
-const s411 = [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 1.00 to 1.05 times the predicted airtime (typical error 2%). We expect 71% of such swarms to be in this range"]];
+const s411 = [[1, 1, 1, "In 6 swarms within these sizes, not used for the fit, discovery took 1.00 to 1.05 times the predicted airtime (typical error 2%). We expect 71% of such swarms to be in this range"]];
 const s412 = [
 [s373, "unicast", 636, 1, 0, 2, "up", s375],
 [s376, "unicast", 700, 1, 0, 2, "down", s377],
@@ -542,9 +542,9 @@ const s417 = "moving to ROS 2 Humble (Fast DDS 2.6)";
 const s418 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
 const s419 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
 const s420 = [
-[1, 1.67, 11.3, "In 11 swarms within these sizes that we left out of the fit, discovery took 0.91 to 1.04 times the predicted airtime (typical error 3%). We expect 83% of such swarms to be in this range"],
-[2, 1.67, 11.3, "In 2 swarms of up to twice these sizes that we left out of the fit, discovery took 0.95 to 1.22 times the predicted airtime (typical error 13%). From so few swarms, we derive no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 2.06 to 2.29 times the predicted airtime (typical error 118%). From so few swarms, we derive no interval"],
+[1, 1.67, 11.3, "In 11 swarms within these sizes, not used for the fit, discovery took 0.91 to 1.04 times the predicted airtime (typical error 3%). We expect 83% of such swarms to be in this range"],
+[2, 1.67, 11.3, "In 2 swarms of up to twice these sizes, not used for the fit, discovery took 0.95 to 1.22 times the predicted airtime (typical error 13%). These are too few swarms for a confidence interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, not used for the fit, discovery took 2.06 to 2.29 times the predicted airtime (typical error 118%). These are too few swarms for a confidence interval"],
 ];
 const s421 = {"count": "count23", "more": ["more56", "more57", "more8"]};
 const s422 = [s421, s421, s421];
@@ -559,12 +559,12 @@ const s430 = 852.6666666666666;
 const s431 = "Heartbeat for others";
 const s432 = "ACKNACK of data";
 const s433 = "switching to Cyclone DDS";
-const s434 = [[1, 1, 1, "In 19 swarms within these sizes that we left out of the fit, discovery took 0.86 to 1.68 times the predicted airtime (typical error 14%). We expect 90% of such swarms to be in this range"]];
+const s434 = [[1, 1, 1, "In 19 swarms within these sizes, not used for the fit, discovery took 0.86 to 1.68 times the predicted airtime (typical error 14%). We expect 90% of such swarms to be in this range"]];
 const s435 = 773.5594083028471;
 const s436 = "ROS discovery info";
 const s437 = "ROS Heartbeat for others";
 const s438 = "ROS ACKNACK for others";
-const s439 = [[1, 1, 1, "In 16 swarms within these sizes that we left out of the fit, discovery took 0.89 to 1.17 times the predicted airtime (typical error 5%). We expect 88% of such swarms to be in this range"]];
+const s439 = [[1, 1, 1, "In 16 swarms within these sizes, not used for the fit, discovery took 0.89 to 1.17 times the predicted airtime (typical error 5%). We expect 88% of such swarms to be in this range"]];
 const s440 = [s171, s175, s173, s234, s232];
 const s441 = 1014.7323568575234;
 const s442 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
@@ -577,7 +577,7 @@ const s448 = ["announcements", s211, "", "Fast DDS 3.6, a longer announcement in
 const s449 = ["release", s417, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
 const s450 = ["release", s418, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
 const s451 = ["middleware", s215, "", s179, "Fast DDS 3.6", "middleware"];
-const s452 = [[1, 1, 1, "In 64 of 68 swarms within these sizes that we left out of the fit, discovery took 0.90 to 1.57 times the predicted airtime (typical error 6%). We expect 91% of such swarms to be in this range"]];
+const s452 = [[1, 1, 1, "In 64 of 68 swarms within these sizes, not used for the fit, discovery took 0.90 to 1.57 times the predicted airtime (typical error 6%). We expect 91% of such swarms to be in this range"]];
 const s453 = [s171, s175, s173, s234, [s233, s233, s233], s232];
 const s454 = 896.8584995251663;
 const s455 = 189.68085535606212;
@@ -610,7 +610,7 @@ const s481 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
 const s482 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
 const s483 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s482];
 const s484 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-const s485 = [[1, 1, 1, "In 10 swarms within these sizes that we left out of the fit, discovery took 0.95 to 1.31 times the predicted airtime (typical error 5%). We expect 82% of such swarms to be in this range"]];
+const s485 = [[1, 1, 1, "In 10 swarms within these sizes, not used for the fit, discovery took 0.95 to 1.31 times the predicted airtime (typical error 5%). We expect 82% of such swarms to be in this range"]];
 const s486 = [s369, s369, s369];
 const s487 = {"count": "count26", "more": ["more59", "more60"]};
 const s488 = {"count": "count27", "more": ["more61", "more62", "more63"]};
@@ -624,7 +624,7 @@ const s495 = "Listed unicast at discovery";
 const s496 = "Listed unicast for others";
 const s497 = "Listed unicast of endpoints";
 const s498 = "peers, each linked with each other (measured with 1.10.2)";
-const s499 = [[1, 1, 1, "In 10 swarms within these sizes that we left out of the fit, discovery took 0.86 to 1.12 times the predicted airtime (typical error 8%). We expect 82% of such swarms to be in this range"]];
+const s499 = [[1, 1, 1, "In 10 swarms within these sizes, not used for the fit, discovery took 0.86 to 1.12 times the predicted airtime (typical error 8%). We expect 82% of such swarms to be in this range"]];
 const s500 = [s172, {"count": "count28", "more": ["more64", "more65", "more66"]}, s233];
 const s501 = [s171, s175, s232, s173, s500, s234];
 const s502 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s481];
@@ -646,9 +646,9 @@ const s517 = "TCP ACK at start";
 const s518 = "TCP ACK of endpoints";
 const s519 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
 const s520 = [
-[1, 1.67, 11.3, "In 12 swarms within these sizes that we left out of the fit, discovery took 0.90 to 1.41 times the predicted airtime (typical error 6%). We expect 85% of such swarms to be in this range"],
-[2, 1.67, 11.3, "In 4 swarms of up to twice these sizes that we left out of the fit, discovery took 0.99 to 1.02 times the predicted airtime (typical error 1%). From so few swarms, we derive no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints that we left out of the fit, discovery took 0.93 to 1.15 times the predicted airtime (typical error 11%). From so few swarms, we derive no interval"],
+[1, 1.67, 11.3, "In 12 swarms within these sizes, not used for the fit, discovery took 0.90 to 1.41 times the predicted airtime (typical error 6%). We expect 85% of such swarms to be in this range"],
+[2, 1.67, 11.3, "In 4 swarms of up to twice these sizes, not used for the fit, discovery took 0.99 to 1.02 times the predicted airtime (typical error 1%). These are too few swarms for a confidence interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, not used for the fit, discovery took 0.93 to 1.15 times the predicted airtime (typical error 11%). These are too few swarms for a confidence interval"],
 ];
 const s521 = 179.4287333522244;
 const s522 = 167.6030534351145;
@@ -1217,7 +1217,7 @@ return {
 "none known": "No change that we could simulate helps.",
 "change": "{number}. {what}: {before} -> {after}. Effort: {effort}. {cost}.",
 "leases": "{time}, but leases expire in {forgetful} of {runs} runs",
-"enough": "{time}; {least} if all are composed into 1",
+"enough": "{time}; {least} if all are composed into one",
 "doubtful": " Not sure: {caution}.",
 "perhaps": " Real runs may take up to {slow}, longer than your target.",
 "slower": "in an emulated Wi-Fi cell, real {measured} took up to {times} times as long as simulated, which would be {slow} here",
@@ -1228,54 +1228,54 @@ return {
 "stopgap": "First step: {fewer}",
 "until then": "Until then, {fewer}",
 "changes": "Then make one change that is enough for discovery:",
-"none near": "No simulated change lets half of the pairs discover each other within {until}.",
+"none near": "No simulated change lets half of the pairs of processes discover each other within {until}.",
 "paste": " To print its configuration: --paste {name}.",
 "closed form": "Ranked by airtime saved, because discovery times were not simulated:",
 "drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
 "none ends": "No change is enough: with each of them, periodic traffic alone still fills the channel.",
-"possible": "These may help, but we do not simulate how they recover lost messages: {names}.",
-"bounds": "We do not know the effect of these changes, because we do not simulate how they recover lost messages: {names}.",
-"parts": "After these changes, some robots no longer discover each other: {names}.",
-"domains": "To configure domains: --paste domains. It deals the hosts to the domains in turn, so swap hosts until robots that must hear each other share a domain. Domains share the channel: we simulate one of them on a channel slowed down by the airtime of the others. Real times are longer, because messages of different domains also collide and share the access point's queue.",
-"others": "These changes helped little, or not at all: {names}.",
+"possible": "These changes may help, but we do not simulate how lost messages are then recovered: {names}.",
+"bounds": "We do not know the effect of these changes, because we do not simulate how lost messages are then recovered: {names}.",
+"parts": "After these changes (with their discovery times), some robots no longer discover each other: {names}.",
+"domains": "To print the configuration of domains: --paste domains. It assigns the hosts to the domains in turn, so swap hosts until robots that must hear each other share a domain. All domains share one channel. We simulate a single domain, on a channel slowed down by the airtime of the others. Real times are longer, because messages of different domains also collide and share the access point's queue.",
+"others": "These changes (with their discovery times) helped little, or not at all: {names}.",
 "left out": "We did not simulate these changes, because {reason}: {names}.",
 "compared": "Discovery times are medians of {runs} in simulation. A startup works if nine of ten runs complete discovery within {within} and no running robot's lease expires. Name a single protocol to see which changes help.",
 "cautious": "Not sure for {names}: {caution}.",
 "some leases": "leases expire in {forgetful} of {runs} runs",
-"lost": "{lost} of the messages are lost, and we do not simulate repairs",
+"lost": "{lost} of the messages are lost, and we do not simulate how they are recovered",
 "reboot": "If one robot reboots, all others rediscover it {time} after its nodes start, and {kept}.",
 "kept": "none of their leases expires",
 "not kept": "some of their leases expire in {forgetful} of {runs} runs",
 "sure": "How sure: we simulated {until} in {runs}, with fixed seeds.",
 "ranges": "Ranges span {interval}.",
-"long runs": "{runs} of slow startups",
-"hopeless run": "{runs} of hopeless startups",
+"long runs": "{runs} for slow startups",
+"hopeless run": "{runs} for hopeless startups",
 "assumed": "Assumes: one access point, all robots in range, a simultaneous start, queues of 500 messages.",
 "most runs": "the second fastest to the second slowest of {runs} runs",
 "all runs": "all {runs} runs",
 "both runs": "both runs",
 "never means": "'Never' means not within {until}.",
-"rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
+"rounded": "In \"{name}\", a process has {mean} endpoints on average; we simulate {whole}.",
 "domain": "All hosts have ROS_DOMAIN_ID {domain}, which does not change these times.",
-"of paper: messages channel": "Messages and channel are the paper's: set yours with `--protocol` and `--wifi`.",
+"of paper: messages channel": "The messages and the channel are the paper's: set yours with `--protocol` and `--wifi`.",
 "of paper: messages": "The messages are the paper's: set yours with `--protocol`.",
 "of paper: channel": "The channel is the paper's: set yours with `--wifi`.",
 "server": "The server or router is wired to the access point, and is not one of your hosts.",
-"extrapolated": "We measured {protocol} in fleets of up to {hosts}; beyond, we extrapolate.",
+"extrapolated": "We measured {protocol} in fleets of up to {hosts}; beyond that, we extrapolate.",
 "air": "In an emulated Wi-Fi cell of up to {hosts} hosts, real {measured} took {range} times as long as simulated, for startups of over 1.5 s.",
 "watched": "We watched real startups for at most {seconds} s, so we extrapolate longer times.",
 "not compared": "Real runs may take up to {high} times as long (we have not measured any).",
 "server not compared": "Real startups with a server or router may take up to {high} times as long (we have not measured any).",
 "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
-"cell": "{cell}: the startup needs {airtime} of airtime in its first second.",
-"assumed of cells": "Assumes: all robots in range of their access points, a simultaneous start, queues of 500 messages. Cells do not interfere, and messages between access points take no time. We do not compare other radios and channels: change the fleet file, and plan again.",
+"cell": "Cell \"{cell}\": the startup needs {airtime} of airtime in its first second.",
+"assumed of cells": "Assumes: all robots in range of their access points, a simultaneous start, queues of 500 messages. Cells do not interfere, and messages between access points take no time. We do not compare other radios and channels: to try others, change the fleet file and plan again.",
 "surer": "To check, run `discostorm capture` on a recorded startup.",
-"why": "`--why` adds airtime, configurations and assumptions.",
-"all": "`--all` adds all changes.",
+"why": "`--why` explains the answer.",
+"all": "`--all` lists all changes that we tried.",
 "searching": "Next we check how many robots can start unchanged, and look for smaller changes that suffice.",
 "not known again": "No: if one robot reboots, not all others rediscover it within the simulated time.",
 "no reboot": "Not sure: we simulate a reboot only if every startup has finished before it.",
-"several at once": "The command discostorm plan also tries other changes together.",
+"several at once": "The command `discostorm plan` also tries other combinations of changes.",
 "other start": "Changes are compared for robots that start together.",
 "paper (802.11n)": "the paper's 802.11n",
 "own channel": "your own channel",
@@ -1302,7 +1302,7 @@ return {
 "drain time": "Drain time: {busy}. {why}",
 "sooner": "Discovery can be complete sooner, because dropped messages need no airtime and the last repeats come after discovery.",
 "later": "Discovery takes longer, because processes wait before they answer and before they repeat lost messages.",
-"full A-MPDUs": "The drain time assumes full A-MPDUs. The fewer frames wait, the less full they are.",
+"full A-MPDUs": "The drain time assumes full A-MPDUs. The fewer frames wait, the less full A-MPDUs are.",
 "may never fit": "The fleet may never fit: with one message per frame, its periodic traffic alone needs {share} of the channel.",
 "reply wait": "While nodes start, service servers need a max_blocking_time (reliability QoS) of {wait} or more. The default of Fast DDS is {usual}.",
 "endless reply wait": "While nodes start, no max_blocking_time is long enough for services: some pairs never complete discovery.",
@@ -1312,12 +1312,12 @@ return {
 "data wait": "If robots sent all data from the beginning, startup would keep the channel busy for {time} instead of {alone}. Data wait at most that long, and in practice less, because robots send only to robots that they have discovered. `discostorm simulate` shows when discovery is complete, and how late the data are.",
 "no room for data": "The channel can never carry discovery and all your data. Send fewer samples, or send them to fewer hosts.",
 "captured": "The measured model of {name} comes from captures of up to {hosts} that started together, with up to {processes} in all and {endpoints} per process.",
-"beyond captures": "Here, we extrapolate.",
+"beyond captures": "This fleet exceeds these numbers, so we extrapolate.",
 "as the paper": "We count {names} as the paper does, and leave out messages that the product packs together or adds.",
-"whole burst": "We assign the whole startup burst to {window}, and count periodic traffic at its average rate. The result is an upper bound.",
+"whole burst": "We count the whole startup burst within {window}, and periodic traffic at its average rate. The result is an upper bound.",
 "standard timing": "For other radios, we use the timing of the 802.11 standard. With it, the airtime of your unchanged fleet is {airtime}.",
 "nothing to write": "Your startup already works, so nothing needs changing, and we wrote no files. To write the configuration for a change anyway, name the change: --paste NAME.",
-"nothing written": "--write: we are not sure that any configuration change is enough, so we wrote no files. See what helps without --write, then name a change: --paste NAME",
+"nothing written": "--write: we are not sure that any configuration change is enough, so we wrote no files. Run the command without --write to see what helps, then name a change: --paste NAME",
 },
 "alone": "A single host has no one to discover, and no other host receives its messages.",
 "security": ["DDS Security (SROS2) is not counted.", "In startups that we captured, it multiplied airtime by 1.6 to 5.7 with Fast DDS and 2.1 to 2.8 with Cyclone DDS. Keep it on your robots, but plan without it, and with a shorter target: in place of 60 s, within = 10 with Fast DDS or 21 with Cyclone DDS."],
@@ -1402,7 +1402,7 @@ return {
 "steps": ["middleware", "peers"],
 "of": {
 "DDS": {"efforts": s108, "effort": 8, "takes": s109, "best_case": false, "cost": "all hosts must change together; you must know the addresses beforehand; every announcement goes to 9 ports of every address (32 with ROS_STATIC_PEERS)"},
-"Zenoh": {"efforts": s108, "effort": 8, "takes": s109, "best_case": false, "cost": "all hosts must change together; you must know the addresses beforehand; a process that dials a peer too early may keep dialing every 4 s"},
+"Zenoh": {"efforts": s108, "effort": 8, "takes": s109, "best_case": false, "cost": "all hosts must change together; you must know the addresses beforehand; a process that calls a peer too early may keep calling every 4 s"},
 "None": null,
 },
 },
@@ -1410,7 +1410,7 @@ return {
 "steps": ["middleware", "peers", s77],
 "of": {
 "DDS": {"efforts": s110, "effort": 8, "takes": s111, "best_case": false, "cost": "all hosts must change together; you must know the addresses beforehand; every announcement goes to 9 ports of every address (32 with ROS_STATIC_PEERS); discovery cannot be complete before the last host starts"},
-"Zenoh": {"efforts": s110, "effort": 8, "takes": s111, "best_case": false, "cost": "all hosts must change together; you must know the addresses beforehand; a process that dials a peer too early may keep dialing every 4 s; discovery cannot be complete before the last host starts"},
+"Zenoh": {"efforts": s110, "effort": 8, "takes": s111, "best_case": false, "cost": "all hosts must change together; you must know the addresses beforehand; a process that calls a peer too early may keep calling every 4 s; discovery cannot be complete before the last host starts"},
 "None": null,
 },
 },
@@ -1465,7 +1465,7 @@ return {
 },
 "middleware and static endpoints": {
 "steps": ["middleware", s121],
-"of": {"DDS": {"efforts": ["switch", "build"], "effort": 8, "takes": "another middleware and rebuilt nodes", "best_case": false, "cost": "all hosts must change together; every endpoint, ROS 2's own included, must be listed in every file; Fast DDS 2.9.1 can crash"}, "Zenoh": null, "None": null},
+"of": {"DDS": {"efforts": ["switch", "build"], "effort": 8, "takes": "another middleware and rebuilt nodes", "best_case": false, "cost": "all hosts must change together; every robot needs a file that lists every endpoint, ROS 2's own included; Fast DDS 2.9.1 can crash"}, "Zenoh": null, "None": null},
 },
 "middleware and static endpoints and staggered start": {
 "steps": ["middleware", s121, s77],
@@ -1475,7 +1475,7 @@ return {
 "effort": 8,
 "takes": "another middleware, rebuilt nodes and a setting",
 "best_case": false,
-"cost": "all hosts must change together; every endpoint, ROS 2's own included, must be listed in every file; Fast DDS 2.9.1 can crash; discovery cannot be complete before the last host starts",
+"cost": "all hosts must change together; every robot needs a file that lists every endpoint, ROS 2's own included; Fast DDS 2.9.1 can crash; discovery cannot be complete before the last host starts",
 },
 "Zenoh": null,
 "None": null,
@@ -1501,7 +1501,7 @@ return {
 "steps": ["peers"],
 "of": {
 "DDS": {"efforts": ["file"], "effort": 2, "takes": s90, "best_case": false, "cost": "you must know the addresses beforehand; every announcement goes to 9 ports of every address (32 with ROS_STATIC_PEERS)"},
-"Zenoh": {"efforts": ["file"], "effort": 2, "takes": s90, "best_case": false, "cost": "you must know the addresses beforehand; a process that dials a peer too early may keep dialing every 4 s"},
+"Zenoh": {"efforts": ["file"], "effort": 2, "takes": s90, "best_case": false, "cost": "you must know the addresses beforehand; a process that calls a peer too early may keep calling every 4 s"},
 "None": null,
 },
 },
@@ -1509,7 +1509,7 @@ return {
 "steps": ["peers", s77],
 "of": {
 "DDS": {"efforts": s91, "effort": 2, "takes": s92, "best_case": false, "cost": "you must know the addresses beforehand; every announcement goes to 9 ports of every address (32 with ROS_STATIC_PEERS); discovery cannot be complete before the last host starts"},
-"Zenoh": {"efforts": s91, "effort": 2, "takes": s92, "best_case": false, "cost": "you must know the addresses beforehand; a process that dials a peer too early may keep dialing every 4 s; discovery cannot be complete before the last host starts"},
+"Zenoh": {"efforts": s91, "effort": 2, "takes": s92, "best_case": false, "cost": "you must know the addresses beforehand; a process that calls a peer too early may keep calling every 4 s; discovery cannot be complete before the last host starts"},
 "None": null,
 },
 },
@@ -1543,8 +1543,8 @@ return {
 "steps": [s120, s77],
 "of": {"DDS": null, "Zenoh": {"efforts": s132, "effort": 4, "takes": s133, "best_case": false, "cost": "every robot needs the wired router's address; discovery cannot be complete before the last host starts; robots do not hear each other while the wired router is down"}, "None": null},
 },
-"static endpoints": {"steps": [s121], "of": {"DDS": {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "every endpoint, ROS 2's own included, must be listed in every file; Fast DDS 2.9.1 can crash"}, "Zenoh": null, "None": null}},
-"static endpoints and staggered start": {"steps": [s121, s77], "of": {"DDS": {"efforts": s98, "effort": 5, "takes": s99, "best_case": false, "cost": "every endpoint, ROS 2's own included, must be listed in every file; Fast DDS 2.9.1 can crash; discovery cannot be complete before the last host starts"}, "Zenoh": null, "None": null}},
+"static endpoints": {"steps": [s121], "of": {"DDS": {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "every robot needs a file that lists every endpoint, ROS 2's own included; Fast DDS 2.9.1 can crash"}, "Zenoh": null, "None": null}},
+"static endpoints and staggered start": {"steps": [s121, s77], "of": {"DDS": {"efforts": s98, "effort": 5, "takes": s99, "best_case": false, "cost": "every robot needs a file that lists every endpoint, ROS 2's own included; Fast DDS 2.9.1 can crash; discovery cannot be complete before the last host starts"}, "Zenoh": null, "None": null}},
 "two discovery servers": {"steps": [s122], "of": {"DDS": {"efforts": ["servers"], "effort": 4, "takes": s131, "best_case": false, "cost": "each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both servers are down"}, "Zenoh": null, "None": null}},
 "two discovery servers and staggered start": {
 "steps": [s122, s77],
@@ -1557,7 +1557,7 @@ return {
 {
 "where": s135,
 "version": "hostapd 2.10",
-"text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; hostapd reads it when\n# it starts\n# Keep your band, channel and width. With 802.11ac and ax, vht_capab lets 64 frames of any length\n# share an exchange. With 802.11n only, leave out the last two lines.\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[SHORT-GI-20]\nieee80211ac=1\nvht_capab=[MAX-A-MPDU-LEN-EXP7]\n",
+"text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: merge into /etc/hostapd/hostapd.conf, which also sets interface and ssid; hostapd\n# reads it when it starts\n# Keep your band, channel and width. With 802.11ac and ax, vht_capab lets 64 frames of any length\n# share an exchange. With 802.11n only, leave out the last two lines.\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[SHORT-GI-20]\nieee80211ac=1\nvht_capab=[MAX-A-MPDU-LEN-EXP7]\n",
 },
 ],
 },
@@ -1634,7 +1634,7 @@ s143,
 {
 "where": s144,
 "version": "ROS 2 Jazzy",
-"text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: set it in the\n# shell or service file that starts the ROS 2 processes\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\n# The next line names the file for every process. Without a router, peers log a warning and\n# continue. If there is a router, start it first: ros2 run rmw_zenoh_cpp rmw_zenohd\nexport ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n",
+"text": "# on every computer (ROS 2 Jazzy)\n# Load: RMW_IMPLEMENTATION is an environment variable of every ROS 2 process: set it in the\n# shell or service file that starts the ROS 2 processes\n# Not run here: compared with its documentation\nexport RMW_IMPLEMENTATION=rmw_zenoh_cpp\n# The next line names the configuration file that every process reads. Without a router, peers log\n# a warning and continue. If there is a router, start it first: ros2 run rmw_zenoh_cpp rmw_zenohd\nexport ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n",
 },
 ],
 "Zenoh peers": [
@@ -1650,7 +1650,7 @@ s143,
 {
 "where": s136,
 "version": s138,
-"text": "<!-- for every process (tested with Cyclone DDS 0.10.2 and 11.0.1) -->\n<!-- Load: save as /etc/cyclonedds.xml; every process runs with -->\n<!-- CYCLONEDDS_URI=file:///etc/cyclonedds.xml -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <!-- By default, Cyclone DDS multicasts only its announcements on Wi-Fi. -->\n      <AllowMulticast>true</AllowMulticast>\n    </General>\n  </Domain>\n</CycloneDDS>\n",
+"text": "<!-- for every process (tested with Cyclone DDS 0.10.2 and 11.0.1) -->\n<!-- Load: save as /etc/cyclonedds.xml; every process runs with -->\n<!-- CYCLONEDDS_URI=file:///etc/cyclonedds.xml -->\n<CycloneDDS xmlns=\"https://cdds.io/config\">\n  <Domain Id=\"any\">\n    <General>\n      <!-- On Wi-Fi, Cyclone DDS by default multicasts only participant announcements. -->\n      <AllowMulticast>true</AllowMulticast>\n    </General>\n  </Domain>\n</CycloneDDS>\n",
 },
 ],
 },
@@ -1659,7 +1659,7 @@ s143,
 {
 "where": s135,
 "version": "hostapd 2.10",
-"text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; hostapd reads it when\n# it starts\n# Multicast and management frames are sent at the lowest basic rate, here 24 Mbit/s (in units of\n# 100 kbit/s). Old rates below it are switched off, but not those of 802.11n and later. A station\n# that is too far away for 24 Mbit/s cannot join.\n# Keep your band and channel.\nhw_mode=a\nchannel=36\nsupported_rates=240 360 480 540\nbasic_rates=240\n",
+"text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: merge into /etc/hostapd/hostapd.conf, which also sets interface and ssid; hostapd\n# reads it when it starts\n# Multicast and management frames are sent at the lowest basic rate, here 24 Mbit/s (in units of\n# 100 kbit/s). Old rates below it are switched off, but not those of 802.11n and later. A station\n# that is too far away for 24 Mbit/s cannot join.\n# Keep your band and channel.\nhw_mode=a\nchannel=36\nsupported_rates=240 360 480 540\nbasic_rates=240\n",
 },
 ],
 },
@@ -1705,21 +1705,21 @@ s143,
 {
 "where": s135,
 "version": "hostapd 2.10",
-"text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; hostapd reads it when\n# it starts\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\n",
+"text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: merge into /etc/hostapd/hostapd.conf, which also sets interface and ssid; hostapd\n# reads it when it starts\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\n",
 },
 ],
 "802.11ac 80 MHz": [
 {
 "where": s135,
 "version": "hostapd 2.10",
-"text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; hostapd reads it when\n# it starts\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\nieee80211ac=1\nvht_oper_chwidth=1\nvht_oper_centr_freq_seg0_idx=42\nvht_capab=[SHORT-GI-80][MAX-A-MPDU-LEN-EXP7]\n",
+"text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: merge into /etc/hostapd/hostapd.conf, which also sets interface and ssid; hostapd\n# reads it when it starts\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\nieee80211ac=1\nvht_oper_chwidth=1\nvht_oper_centr_freq_seg0_idx=42\nvht_capab=[SHORT-GI-80][MAX-A-MPDU-LEN-EXP7]\n",
 },
 ],
 "802.11ax 160 MHz": [
 {
 "where": s135,
 "version": "hostapd 2.10",
-"text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: save in /etc/hostapd/hostapd.conf, beside interface and ssid; hostapd reads it when\n# it starts\n# Radars share channels 52 to 64, so hostapd needs your country's code.\ncountry_code=US\nieee80211d=1\nieee80211h=1\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\nieee80211ac=1\nvht_oper_chwidth=2\nvht_oper_centr_freq_seg0_idx=50\nvht_capab=[VHT160][SHORT-GI-80][SHORT-GI-160][MAX-A-MPDU-LEN-EXP7]\nieee80211ax=1\nhe_oper_chwidth=2\nhe_oper_centr_freq_seg0_idx=50\n",
+"text": "# hostapd.conf of the access point (tested with hostapd 2.10)\n# Load: merge into /etc/hostapd/hostapd.conf, which also sets interface and ssid; hostapd\n# reads it when it starts\n# Radars share channels 52 to 64, so hostapd needs your country's code.\ncountry_code=US\nieee80211d=1\nieee80211h=1\nhw_mode=a\nchannel=36\nwmm_enabled=1\nieee80211n=1\nht_capab=[HT40+][SHORT-GI-20][SHORT-GI-40]\nieee80211ac=1\nvht_oper_chwidth=2\nvht_oper_centr_freq_seg0_idx=50\nvht_capab=[VHT160][SHORT-GI-80][SHORT-GI-160][MAX-A-MPDU-LEN-EXP7]\nieee80211ax=1\nhe_oper_chwidth=2\nhe_oper_centr_freq_seg0_idx=50\n",
 },
 ],
 },
@@ -1769,12 +1769,12 @@ s146,
 {
 "where": s136,
 "version": s137,
-"text": "<!-- for every process (tested with Fast DDS 2.6, 2.9, 2.14 and 3.6) -->\n<!-- Load: save as /etc/fast_dds.xml; every process that should read it runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE); in ROS 2 it matches nothing without -->\n<!-- RMW_FASTRTPS_USE_QOS_FROM_XML=1 -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"robot\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <EDP>STATIC</EDP>\n            <static_edp_xml_config>file:///etc/fast_dds_static_endpoints.xml</static_edp_xml_config>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n    <!-- One topic for each endpoint of this process. -->\n    <data_writer profile_name=\"/robot1/odom\">\n      <userDefinedID>1</userDefinedID>\n    </data_writer>\n  </profiles>\n</dds>\n",
+"text": "<!-- for every process (tested with Fast DDS 2.6, 2.9, 2.14 and 3.6) -->\n<!-- Load: save as /etc/fast_dds.xml; every process that should read it runs with -->\n<!-- FASTRTPS_DEFAULT_PROFILES_FILE=/etc/fast_dds.xml (from Fast DDS 3.0 on, so in ROS 2 -->\n<!-- Kilted: FASTDDS_DEFAULT_PROFILES_FILE); in ROS 2 it matches nothing without -->\n<!-- RMW_FASTRTPS_USE_QOS_FROM_XML=1 -->\n<dds xmlns=\"http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles\">\n  <profiles>\n    <participant profile_name=\"robot\" is_default_profile=\"true\">\n      <rtps>\n        <builtin>\n          <discovery_config>\n            <EDP>STATIC</EDP>\n            <static_edp_xml_config>file:///etc/fast_dds_static_endpoints.xml</static_edp_xml_config>\n          </discovery_config>\n        </builtin>\n      </rtps>\n    </participant>\n    <!-- List a topic for each endpoint of this process. -->\n    <data_writer profile_name=\"/robot1/odom\">\n      <userDefinedID>1</userDefinedID>\n    </data_writer>\n  </profiles>\n</dds>\n",
 },
 {
 "where": s140,
 "version": "Fast DDS 2.9, 2.14 and 3.6",
-"text": "<!-- on every robot (tested with Fast DDS 2.9, 2.14 and 3.6) -->\n<!-- Load: save as /etc/fast_dds_static_endpoints.xml, the path in the profile for every -->\n<!-- process; it needs no environment variable -->\n<staticdiscovery>\n  <!-- Every process, by the name of its participant (in ROS 2 its enclave), with all its\n       endpoints. Every endpoint has a number of its own. -->\n  <participant>\n    <name>/robot1</name>\n    <writer>\n      <userId>1</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </writer>\n  </participant>\n  <participant>\n    <name>/laptop</name>\n    <reader>\n      <userId>2</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </reader>\n  </participant>\n</staticdiscovery>\n",
+"text": "<!-- on every robot (tested with Fast DDS 2.9, 2.14 and 3.6) -->\n<!-- Load: save as /etc/fast_dds_static_endpoints.xml, the path in the profile for every -->\n<!-- process; it needs no environment variable -->\n<staticdiscovery>\n  <!-- List every process by the name of its participant (in ROS 2, its enclave), with all its\n       endpoints. Give every endpoint its own number. -->\n  <participant>\n    <name>/robot1</name>\n    <writer>\n      <userId>1</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </writer>\n  </participant>\n  <participant>\n    <name>/laptop</name>\n    <reader>\n      <userId>2</userId>\n      <topicName>rt/robot1/odom</topicName>\n      <topicDataType>nav_msgs::msg::dds_::Odometry_</topicDataType>\n      <topicKind>NO_KEY</topicKind>\n      <reliabilityQos>RELIABLE_RELIABILITY_QOS</reliabilityQos>\n      <durabilityQos>VOLATILE_DURABILITY_QOS</durabilityQos>\n    </reader>\n  </participant>\n</staticdiscovery>\n",
 },
 ],
 },
@@ -1783,7 +1783,7 @@ s146,
 {
 "where": "on two computers that are wired to the access point",
 "version": s137,
-"text": "# on two computers that are wired to the access point (tested with Fast DDS 2.6, 2.9, 2.14 and 3.6)\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# Run the first line on one computer, the second on the other, each with its own address.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\nfastdds discovery -i 1 -l 192.168.1.11 -p 11811\n",
+"text": "# on two computers that are wired to the access point (tested with Fast DDS 2.6, 2.9, 2.14 and 3.6)\n# Load: run in a shell, or as the command of a service; the process is fastdds discovery\n# Run the first line on one computer and the second on another, each with its own address.\nfastdds discovery -i 0 -l 192.168.1.10 -p 11811\nfastdds discovery -i 1 -l 192.168.1.11 -p 11811\n",
 },
 {
 "where": "on every robot (with the servers in the same order)",
@@ -2069,7 +2069,7 @@ s163,
 ],
 },
 "about": s274,
-"caution": "Cyclone DDS as on a wired network was not measured in an emulated Wi-Fi cell, where Cyclone DDS as on Wi-Fi took up to 6.8 times as long as simulated",
+"caution": "Cyclone DDS as on a wired network was not measured in an emulated Wi-Fi cell, where Cyclone DDS as on Wi-Fi took up to 6.8 times as long as in our simulation",
 "ratios": s224,
 "server_ratios": s164,
 "has_server": false,
@@ -2132,7 +2132,7 @@ s163,
 ],
 },
 "about": s298,
-"caution": "Cyclone DDS 11 was not measured in an emulated Wi-Fi cell, where Cyclone DDS 0.10.5 took up to 6.8 times as long as simulated",
+"caution": "Cyclone DDS 11 was not measured in an emulated Wi-Fi cell, where Cyclone DDS 0.10.5 took up to 6.8 times as long as in our simulation",
 "ratios": s224,
 "server_ratios": s164,
 "has_server": false,
@@ -2396,7 +2396,7 @@ s257,
 "has_server": false,
 "color": s362,
 "measured": [8, 8, 10],
-"band": [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 0.97 to 1.16 times the predicted airtime (typical error 3%). We expect 71% of such swarms to be in this range"]],
+"band": [[1, 1, 1, "In 6 swarms within these sizes, not used for the fit, discovery took 0.97 to 1.16 times the predicted airtime (typical error 3%). We expect 71% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
@@ -2985,7 +2985,7 @@ s516,
 "has_server": true,
 "color": s529,
 "measured": [8, 12, 10],
-"band": [[1, 1, 1, "In 7 swarms within these sizes that we left out of the fit, discovery took 0.84 to 1.18 times the predicted airtime (typical error 10%). We expect 75% of such swarms to be in this range"]],
+"band": [[1, 1, 1, "In 7 swarms within these sizes, not used for the fit, discovery took 0.84 to 1.18 times the predicted airtime (typical error 10%). We expect 75% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -3059,7 +3059,7 @@ s548,
 "has_server": false,
 "color": s529,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 11 swarms within these sizes that we left out of the fit, discovery took 0.84 to 1.25 times the predicted airtime (typical error 2%). We expect 83% of such swarms to be in this range"]],
+"band": [[1, 1, 1, "In 11 swarms within these sizes, not used for the fit, discovery took 0.84 to 1.25 times the predicted airtime (typical error 2%). We expect 83% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -3120,7 +3120,7 @@ s548,
 "has_server": true,
 "color": s529,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 6 swarms within these sizes that we left out of the fit, discovery took 0.85 to 1.18 times the predicted airtime (typical error 15%). We expect 71% of such swarms to be in this range"]],
+"band": [[1, 1, 1, "In 6 swarms within these sizes, not used for the fit, discovery took 0.85 to 1.18 times the predicted airtime (typical error 15%). We expect 71% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,

@@ -121,9 +121,7 @@ class Presence:
         for (host, port), times in self.refusals.items():
             callers = [caller for time, caller in times if now - time <= LIMITS.recent]
             if len(callers) > 1:
-                text = (
-                    f"{host} refuses packets to port {port} from {join_names(sorted({*callers}))}"
-                )
+                text = say("refuses to", host, port, sorted({*callers}))
                 findings.append(Finding("refuses", (host,), text))
         for host, activity in self.hosts.items():
             answers = [answer for (of, _), answer in self.answers.items() if of == host]
@@ -152,12 +150,12 @@ class Presence:
     def summary(self, begin: float) -> str:
         """Summarize how many hosts are present, and which of them request messages again."""
         there = {host: activity for host, activity in self.hosts.items() if not activity.is_silent}
-        text = f"We did not see the start: {wording.count_noun(len(there), 'host')}"
+        text = f"Robots already ran when we began: {wording.count_noun(len(there), 'host')}"
         if self.now - begin < (first := LIMITS.baseline_time):
             return f"{text} so far. The first {first:.0f} s show how often each one sends."
         since = self.now - LIMITS.recent
         again = [host for host, activity in there.items() if activity.rerequested_at >= since]
-        also = f"{join_names(again)} requested messages again" if again else "none requests again"
+        also = f"{join_names(again)} requested messages again" if again else "none asks for repeats"
         # Of a host that was heard too briefly, no one knows how often it sends.
         rare = [of for of, one in there.items() if one.silence_limit > self.now - one.last > first]
         now = f"nothing came lately from {join_names(rare)}" if rare else "no host is silent"

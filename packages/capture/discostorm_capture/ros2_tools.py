@@ -75,9 +75,9 @@ def _mismatched_settings(capture: Capture) -> Iterator[str]:
     middleware, domain = settings["RMW_IMPLEMENTATION"], settings["ROS_DOMAIN_ID"]
     if spoken and ("Zenoh" if "zenoh" in middleware else "RTPS") not in spoken:
         others = wording.join_words(sorted(spoken)).replace("RTPS", "DDS")
-        yield f"RMW_IMPLEMENTATION is {middleware} here, but others speak only {others}"
+        yield f"RMW_IMPLEMENTATION is {middleware} here, but other hosts speak only {others}"
     if (known := sorted(domains - {"-1"})) and domain not in known:
-        yield f"ROS_DOMAIN_ID is {domain} here, but others use {wording.join_words(known)}"
+        yield f"ROS_DOMAIN_ID is {domain} here, but other hosts use {wording.join_words(known)}"
 
 
 def _udp_sockets() -> Iterator[tuple[int, int]]:

@@ -24,6 +24,6 @@ def say(key: str, *values: Any) -> str:
 
 def join_names(names: Sequence[str] | Array, separator: str = "") -> str:
     """Join names by commas, or clauses by a separator; of many, the first and how many more."""
-    if len(names) > MAX_NAMES:
-        names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
+    if (rest := len(names) - MAX_NAMES + 1) > 1:
+        names = [*names[: MAX_NAMES - 1], f"{separator and 'and '}{rest} more"]
     return separator.join(names) if separator else wording.join_words([*names])

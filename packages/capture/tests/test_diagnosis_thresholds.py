@@ -317,7 +317,7 @@ def test_a_topic_that_takes_most_of_a_lossy_link_is_named(monkeypatch: pytest.Mo
     monkeypatch.setattr(losses, "find_losses", lambda _: found)
     capture = ds.read_capture(STAGED / "healthy_dual_stack.pcap.xz")
     rows = capture._messages
-    data = rows["kind"].eq("User data")
+    data = rows["kind"].eq("Push")
     of_one = data & rows["process"].eq(rows["process"][data].iloc[0])
     for frames, kind in ((3.0, "heavy loss"), (900.0, "stream on a slow link")):
         more = rows["frames"].where(~of_one, np.float32(frames))

@@ -1167,7 +1167,7 @@ def test_the_command_tells_what_the_package_does(tmp_path: Path) -> None:
     done = CliRunner().invoke(main, ["capture", path, "--picture", str(picture)])
     assert done.exit_code == 0
     assert "hosts: 3 with 2 processes of 10 endpoints each" in done.output
-    hint = '--against "Fast DDS" shows that of the product'
+    hint = 'for the product\'s count, use --against "Fast DDS"'
     assert hint in done.output
     own = CliRunner().invoke(main, ["capture", path, "--against", "fast dds 2.9"])
     assert own.exit_code == 0

@@ -135,9 +135,9 @@ def test_a_healthy_host_gives_no_warning_and_a_report(host: Path, said: list[str
         ),
         (
             {"RMW_IMPLEMENTATION": "rmw_zenoh_cpp"},
-            "RMW_IMPLEMENTATION is rmw_zenoh_cpp here, but others speak only DDS",
+            "RMW_IMPLEMENTATION is rmw_zenoh_cpp here, but other hosts speak only DDS",
         ),
-        ({"ROS_DOMAIN_ID": "7"}, "ROS_DOMAIN_ID is 7 here, but others use 0"),
+        ({"ROS_DOMAIN_ID": "7"}, "ROS_DOMAIN_ID is 7 here, but other hosts use 0"),
     ],
 )
 def test_a_setting_unlike_the_network_is_told(
@@ -179,7 +179,9 @@ def test_more_than_a_hundred_processes_of_a_domain_are_told(
     host: Path, said: list[str], processes: int, is_told: bool
 ) -> None:
     sockets(host, *((FIRST_PORT + number, 0) for number in range(2 * processes)))
-    text = "processes on this host: 101 processes of domain 0, where Fast DDS tries 100 ports"
+    text = (
+        "processes on this host: 101 processes in domain 0, in which Fast DDS tries only 100 ports"
+    )
     assert warnings_of_check(said) == [f"{text} (mutation_tries)"] * is_told
 
 

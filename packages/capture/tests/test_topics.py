@@ -72,7 +72,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "isolation_with_server",
             "the access point keeps its clients apart",
-            "10.77.0.1 asked",
+            "10.77.0.1 (60 samples, asked for 172 times)",
             "Turn client isolation (AP isolation) off",
         ),
         (
@@ -175,7 +175,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         (
             "two_robots_in_one_domain",
             "10.77.0.1 and 10.77.0.2 use the same topic names",
-            "give each a namespace",
+            "give each its own namespace",
         ),
         (
             "tools_are_no_super_client",

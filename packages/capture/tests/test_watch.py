@@ -120,7 +120,9 @@ def test_beside_running_robots_it_learns_who_speaks_and_names_who_stops() -> Non
     seconds = each_second(BESIDE)
     said = {int(when): text for when, text, _, _ in seconds}
     assert said[5].endswith("The first 10 s show how often each one sends.")
-    healthy = "We did not see the start: 3 hosts, no host is silent, and none requests again."
+    healthy = (
+        "Robots already ran when we began: 3 hosts, no host is silent, and none asks for repeats."
+    )
     assert {said[second] for second in range(11, 22)} == {healthy}
     first = min(when for when, _, kinds, _ in seconds if "silent" in kinds)
     assert 22.5 < first < 22.5 + 3 * 1.0  # in steps of more than a second
@@ -136,7 +138,7 @@ def test_a_host_heard_too_briefly_to_be_judged_is_named_and_not_called_present()
     hosts = {"10.77.0.1": Activity(0.0, 29.5), "10.77.0.3": Activity(0.2, 8.2, longest_pause=8.0)}
     presence = Presence(hosts, now=30.0)
     assert presence.findings() == []
-    told = "2 hosts, nothing came lately from 10.77.0.3, and none requests again."
+    told = "2 hosts, nothing came lately from 10.77.0.3, and none asks for repeats."
     assert presence.summary(0.0).endswith(told)
 
 
@@ -275,7 +277,7 @@ def test_a_pipe_that_is_none_or_ends_is_told(content: bytes, said: str) -> None:
 
 def test_a_broken_length_is_told() -> None:
     content = pcap(packets("fast_dds")[:2]) + struct.pack("<IIII", 0, 0, 1 << 30, 1 << 30)
-    with pytest.raises(CaptureError, match="a packet of 1073741824 bytes"):
+    with pytest.raises(CaptureError, match="a packet has 1073741824 bytes"):
         list(PacketStream("x").feed(content))
 
 

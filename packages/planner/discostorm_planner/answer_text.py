@@ -230,7 +230,7 @@ def _hosts_in_time_text(plan: Plan) -> str:
     hosts = max(group.hosts for group in groups if group.name == name)
     others = [hosts_in_words(g.hosts, g.name or "other host") for g in groups]
     del others[[g.name for g in groups].index(name)]
-    beside = f", with {wording.join_words(others)}" * bool(others)
+    beside = f", together with {wording.join_words(others)}" * bool(others)
     values = {"count": count, "group": hosts_in_words(hosts, name or "hosts")}
     total = wording.count_noun(sum(g.hosts for g in groups) - hosts + count, "host")
     return fill("fewer", beside=beside, total=total, time=describe_time(time), **values)
@@ -300,7 +300,7 @@ def time_after(change: SimulatedChange) -> str:
     assert time is not None
     words = describe_time(time)
     if change.remedy.kind == "domains" and math.isfinite(time.median):
-        words = f"at least {words}"
+        words = f"{words} or longer"
     if time.expired_lease_runs:
         words = fill("leases", time=words, **_lease_counts(time))
     if change.smallest is None:
@@ -437,7 +437,7 @@ def describe_time(time: DiscoveryTime | None) -> str:
         least = number if high.endswith(f" {unit}") else low
         text += f" ({low} or more)" if late else f" ({least} to {high})"
     if time.is_lower_bound:
-        return f"at least {text}, with {format_share(time.lost)} of the messages lost"
+        return f"{text} or longer, with {format_share(time.lost)} of the messages lost"
     return text if time.repaired else f"{text}, with nothing lost"
 
 

@@ -53,8 +53,8 @@ def _launch_file_texts(fleet: Fleet, text: str) -> Iterator[str]:
             node = 'ComposableNode(package="PACKAGE{0}", plugin="PLUGIN{0}", name="NAME{0}")'
             lines = [f"        {node.format(n)},\n" for n in range(1, count + 1)]
             head = (
-                f"# {name}: {wording.count_noun(group.hosts, 'host')} with {group.processes:,.10g} "
-                f"processes, of {group.endpoints:.3g} endpoints on average\n"
+                f'# Group "{name}": {wording.count_noun(group.hosts, "host")}, each with '
+                f"{group.processes:,.10g} processes of {group.endpoints:.3g} endpoints on average\n"
                 "# Fill in PACKAGE, PLUGIN and NAME of each node, and delete surplus lines; "
                 "`ros2 component types` lists packages and plugins\n"
             )

@@ -128,7 +128,7 @@ def _airtime_lines(plan: Plan) -> Iterator[str]:
     time = "the steady state" if steady else _first_seconds(plan.window)
     yield f"Utilization in {time}: {_at_least(found)}{load}, so {fits}."
     if plan.reboot is not None:
-        robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
+        robot = f' of group "{plan.reboot.group}"' if len(plan.fleet.groups) > 1 else ""
         low = wording.duration(plan.reboot.low)
         yield f"When one robot{robot} reboots, discovery needs at least {low} of airtime."
     exchanges = "full A-MPDUs" if found.differs else "one message per frame"
@@ -144,7 +144,7 @@ def _share_lines(plan: Plan) -> Iterator[str]:
         yield f"- {noun}: {largest.name} ({wording.format_share(largest.share)})."
     groups = plan.shares_of_kind("group")
     for group in groups[:_MAX_GROUPS] * (len(groups) > 1):
-        yield f"- Traffic from or to {group.name}: {wording.format_share(group.share)}."
+        yield f'- Traffic from or to "{group.name}": {wording.format_share(group.share)}.'
     if len(groups) > _MAX_GROUPS:
         rest, share = len(groups) - _MAX_GROUPS, wording.format_share(groups[_MAX_GROUPS].share)
         others = wording.count_noun(rest, "other group")

@@ -110,8 +110,8 @@ def split_hosts(fleet: Fleet, count: int) -> tuple[Fleet, ...]:
 
 
 def group_suffix(group: HostGroup) -> str:
-    """Return " of GROUP" for a group with a name, else an empty string."""
-    return f" of {group.name}" if group.name else ""
+    """Return ' of "GROUP"' for a group with a name, else an empty string."""
+    return f' of "{group.name}"' if group.name else ""
 
 
 def hosts_in_words(count: float, name: str) -> str:

@@ -42,7 +42,7 @@ def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None)
     )
     names: dict[str, list[str]] = {}
     for cell, one in seen.items():
-        names.setdefault(phrase(one.wifi.name), []).append(cell.name)
+        names.setdefault(phrase(one.wifi.name), []).append(f'"{cell.name}"')
     told = [f"{wifi} in {wording.join_words(own)}" for wifi, own in names.items()]
     return replace(
         busiest,

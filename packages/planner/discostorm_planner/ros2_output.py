@@ -126,7 +126,7 @@ def fleet_from_graph(
             "If all nodes belong to one robot, give the number of robots with --hosts"
         )
     elif hosts is None:
-        notes.append("We count all nodes as one robot's. Give the number of robots with --hosts")
+        notes.append("We count all nodes as one robot's. To set the number of robots, use --hosts")
     if processes is None:
         notes.append(
             "ROS 2 does not say which nodes share a process, so we count one process per node, the "
@@ -176,8 +176,8 @@ def _count_from_topics(graph: Ros2Graph) -> tuple[int, int, int]:
 def _uncertainty_notes(graph: Ros2Graph) -> Iterator[str]:
     if not graph.nodes:
         yield (
-            "A list of topics names no nodes, so we count one per publisher of /rosout, with its "
-            "parameter services. Other services and actions are not counted"
+            "A list of topics names no nodes, so we count a node for each publisher of /rosout, "
+            "with parameter services. We count no other services and actions"
         )
     listed = [node for node, endpoints in graph.nodes.items() if endpoints is None]
     if listed:
@@ -198,5 +198,5 @@ def describe_formats(graph: Ros2Graph) -> str:
     told, never = f"Read: {_describe(rows)}", [r["command"] for r in rows if r["tried"] == "no"]
     if never:
         told += f". Never tried on a live system: {', '.join(f'`{command}`' for command in never)}"
-        told += "; we took the format from ros2cli's source code"
+        told += "; we know the format only from the source code of ros2cli"
     return told

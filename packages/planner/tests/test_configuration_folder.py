@@ -46,7 +46,7 @@ def written(tmp_path: Path, *options: str, fleet: str = FLEET) -> Path:
     folder = tmp_path / "out"
     done = run("plan", str(tmp_path / "fleet.toml"), *options, "--write", str(folder))
     assert done.exit_code == 0, done.output
-    assert "Begin with" in done.stdout
+    assert " first\n" in done.stdout
     return folder
 
 
@@ -154,7 +154,7 @@ def test_a_staggered_start_waits_within_the_window_of_the_plan() -> None:
     # Every path after the slash is one of the folder's.
     readme = of["README.md"]
     assert "systemctl cat robot | grep staggered" in readme
-    assert "The service `robot` stands for the one that starts ROS 2" in readme
+    assert "We assume that the service `robot` starts ROS 2" in readme
 
 
 def test_what_the_readme_says_to_run_are_lines_of_a_shell(tmp_path: Path) -> None:
@@ -270,7 +270,9 @@ def test_a_pasted_launch_file_has_a_line_for_each_node_of_each_group(tmp_path: P
     file = tmp_path / "fleet.toml"
     file.write_text(FLEET)
     said = run("plan", str(file), "--paste", "processes")
-    files = said.stdout.split("# robots: 3 hosts with 22 processes")[1].split("# laptop: 1 host")
+    files = said.stdout.split('# Group "robots": 3 hosts, each with 22 processes')[1].split(
+        '# Group "laptop": 1 host'
+    )
     (robots, laptop) = (
         [line for line in text.splitlines() if "ComposableNode(package" in line] for text in files
     )

@@ -45,7 +45,8 @@ def test_a_plan_tells_the_discovery_time_and_the_airtime_of_each_cell(tmp_path: 
     assert result.exit_code == 0, result.output
     said = " ".join(result.output.split())
     assert said.startswith("Yes, this startup works: 2 robots and 1 carts discover each other")
-    assert "(Fast DDS 3.6, on 802.11ac 80 MHz 2x2 in hall and 802.11a 20 MHz 1x1 in yard)" in said
+    where = 'on 802.11ac 80 MHz 2x2 in "hall" and 802.11a 20 MHz 1x1 in "yard"'
+    assert f"(Fast DDS 3.6, {where})" in said
     assert "Cells do not interfere" in said
     assert "one access point" not in said
     assert "If one robot reboots, all others rediscover it" in said
@@ -75,7 +76,7 @@ def test_wired_hosts_beside_cells_use_no_cell(tmp_path: Path) -> None:
     medians = [told["discovery"]["today"]["median_s"] for told in (wired, in_hall)]
     assert medians[0] < medians[1]
     said = " ".join(run(tmp_path, CELLS + GROUPS + desk + "wired = true\n").output.split())
-    assert "- hall: the startup needs at least" in said
+    assert '- Cell "hall": the startup needs at least' in said
 
 
 def test_changes_of_hosts_and_middleware_are_compared_for_all_cells(tmp_path: Path) -> None:

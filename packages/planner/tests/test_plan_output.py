@@ -112,7 +112,7 @@ def test_advice_names_what_is_composed_and_its_lines_are_short() -> None:
     many, two = replace(ROBOTS, processes=8), replace(ROBOTS, processes=2)
     for groups, what in (
         ((many,), "composing 8 processes into 1"),
-        ((two, LAPTOP), "composing 2 processes of robots into 1"),
+        ((two, LAPTOP), 'composing 2 processes of "robots" into 1'),
         ((two, replace(LAPTOP, processes=3)), "composing the processes of each host into 1"),
     ):
         assert remedy(ds.plan(ds.Fleet(groups)), "processes").what == what
@@ -241,7 +241,7 @@ def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
         within.split()
     )
     assert "we extrapolate" not in " ".join(within.split())
-    assert "Here, we extrapolate." in " ".join(beyond.split())
+    assert "This fleet exceeds these numbers, so we extrapolate." in " ".join(beyond.split())
     aggregated = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
     for size, verdict in (
         (2, "discovery fits"),

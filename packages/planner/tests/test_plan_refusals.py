@@ -36,7 +36,7 @@ WIDTH = "width must be a whole number of at least 1"
         (
             lambda: ds.plan(ds.Fleet((ds.HostGroup(2.5, 1, 1, name="r"),))),
             ValueError,
-            r"hosts of r must be a whole number of at least 1; got 2\.5",
+            r'hosts of "r" must be a whole number of at least 1; got 2\.5',
         ),
         (
             lambda: ds.plan(ds.Fleet.swarm([1, 2], 1, 1)),

@@ -46,7 +46,7 @@ def host_table(fleet: Fleet) -> Hosts:
     rows = []
     for index, group in enumerate(fleet.groups):
         for count, value in zip(COUNTS, group.counts(), strict=True):
-            name = f"groups[{index}].{count}" + f" of {group.name}" * bool(group.name)
+            name = f"groups[{index}].{count}" + f' of "{group.name}"' * bool(group.name)
             if is_symbolic(value):
                 raise TypeError(f"fleet: {name} must be a number to simulate; got {value}")
             most = _MAX_ENDPOINTS if count == "endpoints" else _MAX_PROCESSES

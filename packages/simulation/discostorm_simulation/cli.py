@@ -80,7 +80,7 @@ def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds
     lost = wording.percent_range(found.lost.min(), found.lost.max())
     return (
         f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then some "
-        f"robots do not see each other. Here {lost} of the frames are lost and not sent again. "
+        f"robots do not see each other. In these runs, {lost} of the frames are lost for good. "
         "With recovery, startup takes longer."
     )
 
@@ -232,7 +232,7 @@ def _with_integer_endpoints(fleet: ds.Fleet) -> ds.Fleet:
     groups = tuple(group.with_integer_endpoints() for group in fleet.groups)
     for name, group, whole in zip(fleet.names, fleet.groups, groups, strict=True):
         if f"{group.endpoints:.1f}" != f"{whole.endpoints:.1f}":
-            note = f"Note: a process of {name} has {group.endpoints:g} endpoints on average; we "
+            note = f'Note: a process of "{name}" has {group.endpoints:g} endpoints on average; we '
             click.echo(out.visible(f"{note}simulate {whole.endpoints:g}."), err=True)
     return replace(fleet, groups=groups)
 

@@ -203,7 +203,7 @@ def test_the_command_simulates_cells(tmp_path: Path) -> None:
     file.write_text(cells + "".join(f'[[groups]]\n{rest}cell = "{n}"\n' for n in ("hall", "yard")))
     result = CliRunner().invoke(main, ["simulate", str(file), "--runs", "2"])
     assert result.exit_code == 0, result.output
-    assert "Channels: hall: paper (802.11n); yard: paper (802.11n)." in result.output
+    assert 'Channels: paper (802.11n) in "hall"; paper (802.11n) in "yard".' in result.output
     result = CliRunner().invoke(main, ["simulate", str(file), "--json"])
     assert len(json.loads(result.output)["cells"]) == 2
     result = CliRunner().invoke(main, ["simulate", str(file), "--csv"])

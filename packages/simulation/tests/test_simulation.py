@@ -947,7 +947,7 @@ def test_what_cannot_be_simulated_is_refused() -> None:
         ds.simulate(ds.Fleet.swarm(2.5, 1, 1), ds.DDS, wifi)
     named = ds.Fleet((ds.HostGroup(2, 2.5, 1, name="robots"),))
     allowed = "a whole number of at least 1 and at most 1048576"
-    with pytest.raises(ValueError, match=rf"processes of robots must be {allowed}; got 2.5"):
+    with pytest.raises(ValueError, match=rf'processes of "robots" must be {allowed}; got 2.5'):
         ds.simulate(named, ds.DDS, wifi)
     with pytest.raises(ValueError, match="fleet must have at least 2 hosts to simulate; got 1"):
         ds.simulate(ds.Fleet.swarm(1, 1, 1), ds.DDS, wifi)

@@ -133,22 +133,20 @@ def capture(
             sizes = *row[["messages", "bytes", "airtime_s"]], cli_output.percent(row["of_time"])
             click.echo(say("totals", wording.capitalized(str(name)), *sizes, captured.duration))
         for name, time in seconds.items():
-            click.echo(f"The table compares the first {time:.1f} s of discovery with {name}.")
+            click.echo(say("compared", time, name))
         if wired_hosts is None and (serving := captured.servers()):
             click.echo(say("wired servers", " and ".join(serving)))
         products = sorted(set(captured.processes()["product"]) & set(ds.PROTOCOLS))
         if against is None and rows and products:
             options = " or ".join(f'--against "{name}"' for name in products)
-            click.echo(
-                f"The column 'expected' has the paper's count; {options} shows that of the product."
-            )
+            click.echo(say("expected column", options))
         if written is not None:
             _print_next_command(written, link)
 
 
 def _format_fleet_file(fleet: ds.Fleet, source: str) -> str:
     """Return the text of a fleet file, for `plan` and other commands."""
-    lines = [f"# Seen in {cli_output.visible(_checks.shorten_name(source))}."]
+    lines = [f"# The fleet captured in {cli_output.visible(_checks.shorten_name(source))}."]
     for group in fleet.to_dicts():
         lines += ["", "[[groups]]"]
         for key, value in group.items():
@@ -175,7 +173,7 @@ def _print_fleet_and_messages(
         noun = "endpoint" if group.endpoints == 1 else "endpoints"
         click.echo(f"hosts: {hosts} with {each} of {endpoints} {noun} each{wired}")
     if not rows:
-        click.echo("It contains no discovery of RTPS or Zenoh.")
+        click.echo("The capture shows no discovery of RTPS or Zenoh.")
         return
     shown = [{key: row[key] for key in row if key != "protocol"} for row in rows]
     count = _format_or_empty("{:,.0f}")

@@ -74,9 +74,7 @@ def watch(
     if seconds is not None and not 0 < seconds < float("inf"):
         raise click.UsageError(f"--seconds must be above 0; got {seconds:g}")
     if text_file is not None and not Path(text_file).absolute().parent.is_dir():
-        raise cli_output.BadInput(
-            f"--text-file: {_checks.shorten_name(text_file)}: there is no such folder"
-        )
+        raise cli_output.BadInput(say("no folder", _checks.shorten_name(text_file)))
     state, packets = Watch(wifi, expected=expected), PacketStream(interface or "standard input")
     with (
         cli_output.bad_input(),

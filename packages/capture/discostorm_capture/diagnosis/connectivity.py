@@ -1,9 +1,9 @@
 """Findings about connectivity: which host receives nothing from which, or never tries, and why."""
 
 from collections import Counter, defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from itertools import chain, combinations
+from itertools import chain, combinations, groupby
 
 import numpy as np
 
@@ -61,7 +61,7 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
         wants = obs.time[asks & obs.isin("sender", host)]
         lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
         if sent.sum() >= LIMITS.min_unanswered and lasted >= LIMITS.timeout:
-            texts[host] = say("no data", host, len(wants), sent.sum())
+            texts[host] = f"{sent.sum()} samples, asked for {len(wants)} times"
             links |= obs.links_of(obs.messages[sent])
         wanted = obs.time[asks & obs.isin("receiver", host)]
         often = len(wanted) >= LIMITS.min_messages and np.ptp(wanted) >= LIMITS.timeout
@@ -69,10 +69,10 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
             yield Finding.of("data kept in", (host,), len(wanted))
     # With client isolation, hosts confirm nothing at all to each other.
     if len(texts) > 1 and not {ends[::-1] for ends in links} & obs.links_of(obs.messages[confirms]):
-        yield Finding("client isolation", tuple(texts), "; ".join(texts.values()))
+        yield Finding.of("client isolation", texts, [f"{h} ({text})" for h, text in texts.items()])
         return
     for host, text in texts.items():
-        yield Finding("no data", (host,), text)
+        yield Finding.of("no data", (host,), text)
 
 
 def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
@@ -96,21 +96,22 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
         last, (host, asker) = obs.time[answered[ends]].max(), (hosts[one] for one in ends)
         enough = len(times) >= LIMITS.min_heartbeats and np.ptp(times) >= 2 * LIMITS.timeout
         if enough and obs.host_first_last[host][1] - last >= LIMITS.max_pause:
-            texts[ends] = say("confirms no more", host, last, asker, len(times))
+            texts[ends] = f"{asker} ({len(times)} sent after {last:.1f} s)"
+    said = _join_seconds((hosts[index], text) for (index, _), text in texts.items())
+    clauses = {host: f"{host} those of {of}" for host, of in said.items()}
     partly = {ends[0] for ends in asks if ends not in texts}
     mute = [*dict.fromkeys(ends[0] for ends in texts if ends[0] not in partly)]
     if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
         mutes = tuple(hosts[index] for index in mute)
-        yield Finding("unicast dropped", mutes, join_names([*texts.values()], "; "))
+        yield Finding("unicast dropped", mutes, say("confirm no more", "; ".join(clauses.values())))
         return
-    for index in mute:
-        own = (text for pair, text in texts.items() if pair[0] == index)
-        yield Finding("answers no more", (hosts[index],), "; ".join(own))
+    for host in (hosts[index] for index in mute):
+        yield Finding("answers no more", (host,), say("confirms no more", host, said[host]))
     if single := {pair: text for pair, text in texts.items() if pair[0] not in mute}:
         which = tuple(dict.fromkeys(hosts[index] for index, _ in single))
         mutual = {*single} == {pair[::-1] for pair in single}
         kind = "pairs apart" if mutual else "one direction of pairs"
-        yield Finding(kind, which, join_names([*single.values()], "; "))
+        yield Finding(kind, which, say("confirm no more", "; ".join(clauses[one] for one in which)))
 
 
 def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
@@ -294,8 +295,17 @@ def _single_pair_findings(reach: Reachability, matrix: Array, what: str) -> Iter
     for kind, mask in (("pairs apart", both), ("one direction of pairs", matrix & ~both)):
         pairs = [(reach.hosts[row], reach.hosts[column]) for row, column in np.argwhere(mask)]
         if pairs:
-            text = join_names([f"{one} {what} {other}" for one, other in pairs])
+            mutual = kind == "pairs apart"
+            ends = _join_seconds({(min(pair), max(pair)) for pair in pairs} if mutual else pairs)
+            end = ", nor vice versa" * mutual
+            text = join_names([f"{one} {what} {of}{end}" for one, of in ends.items()], "; ")
             yield Finding(kind, tuple(dict.fromkeys(one for one, _ in pairs)), text)
+
+
+def _join_seconds(pairs: Iterable[tuple[str, str]]) -> dict[str, str]:
+    """Return the second names of pairs, joined, by the first name."""
+    groups = groupby(sorted(pairs), lambda pair: pair[0])
+    return {one: join_names([other for _, other in group]) for one, group in groups}
 
 
 def _describe_arp_replies(obs: Observations, host: str) -> str:
@@ -448,8 +458,8 @@ def _explain_separation(obs: Observations, groups: list[set[str]]) -> Finding:
     text = say("groups apart", "; ".join(join_names(sorted(group)) for group in groups))
     looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
     if len(looking) > 1:
-        sends = {host: [f"{to}, port {port}" for to, port in targets[host]] for host in targets}
-        texts = [f"{host} sends to {join_names(sorted(to))}" for host, to in sorted(sends.items())]
+        sends = [(f"{to}, port {port},", host) for host in targets for to, port in targets[host]]
+        texts = [f"{to} gets multicast from {of}" for to, of in _join_seconds(sends).items()]
         return Finding("other group", few, "; ".join(texts))
     if looking and served and looking[0] not in served:
         text = say("discovery by group", sorted(looking[0]), sorted(served[0] - looking[0]))

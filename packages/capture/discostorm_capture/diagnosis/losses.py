@@ -106,7 +106,7 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     host = min(hosts, key=total.__getitem__, default="")
     most = ends[host]
     if len(total) > 2 and host:
-        text += f"; {wording.percent(most / again)} of the repeated ones were from or to {host}"
+        text += f"; {wording.percent(most / again)} of the repeated frames were from or to {host}"
         apart = total[host] < LIMITS.min_share_of_one_host * sent and most >= LIMITS.min_repeats
         own, full = most / total[host], evidence.channel_use >= LIMITS.max_channel_use
         if apart and own >= LIMITS.min_weak_share and not full:

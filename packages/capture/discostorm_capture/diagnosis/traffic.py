@@ -200,7 +200,7 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             continue
         text = f"{caller} opened {count} connections to {host} at port {port}, and "
         if (caller, host) in spoke and host not in {one for one, _ in spoke}:
-            closed.setdefault(host, []).append(f"{text}each was closed without an answer")
+            closed.setdefault(host, []).append(f"{caller} opened {count} at port {port}")
         elif (caller, host) in spoke:
             text += "each was closed before a session began"
             kind, versions = "session refused", obs.processes["version"]
@@ -213,11 +213,11 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             text += "unlike others, sent no unencrypted Zenoh there"
             yield Finding("wrong port", (caller,), text)
         elif port == ZENOH_PORT and obs.messages.empty:
-            without_session.setdefault(host, []).append(f"{text}each ended before a session began")
+            without_session.setdefault(host, []).append(f"{caller} opened {count} at port {port}")
     for host, texts in closed.items():
-        yield Finding("no router behind", (host,), "; ".join(texts))
+        yield Finding.of("no router behind", (host,), texts)
     for host, texts in without_session.items():
-        yield Finding("TLS fails", (host,), "; ".join(texts))
+        yield Finding.of("TLS fails", (host,), texts)
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
         if len(rows) < LIMITS.min_calls or host in peers or np.ptp(times) < LIMITS.min_wait:
@@ -366,7 +366,7 @@ def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
     asked = Counter(obs.messages["sender"][asks].astype(str))
     hosts = sorted(of for of, count in asked.items() if count >= LIMITS.min_fragment_requests)
     if hosts and not [*frame_loss(evidence)]:
-        text = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
+        text = [f"{host} ({wording.count_noun(asked[host], 'time')})" for host in hosts]
         yield Finding.of("burst loss", hosts, text)
 
 

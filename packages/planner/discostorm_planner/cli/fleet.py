@@ -39,14 +39,14 @@ from discostorm_planner import ros2_output
 def fleet(file: str, hosts: float | None, processes: float | None, output: Output) -> None:
     """Write a fleet file from the output of ROS 2 commands.
 
-    One file may hold the text of `ros2 node list`, `ros2 node info` and `ros2 topic list -v`, one
-    after the other. Begin with:
+    FILE holds the output of `ros2 node list`, `ros2 node info` or `ros2 topic list -v`, or of
+    several of these, one after the other. To write such a file:
 
     \b
       (ros2 node list; for node in $(ros2 node list); do ros2 node info $node; done) > ros2.txt
 
-    Comments in the fleet file list what ROS 2 does not report, and which formats we never tried on
-    a live system.
+    Comments in the resulting fleet file say what ROS 2 does not report, and which of these outputs
+    we never tried on a live system.
 
     \b
     Examples:

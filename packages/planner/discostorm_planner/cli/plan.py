@@ -166,10 +166,10 @@ def _simulate_plan(answer: ds.Plan) -> bool:
     if answer.all_wired or answer.fleet.hosts() == 1:
         return True
     low = answer.startup.bounds[0]
-    busy = "Periodic traffic alone fills the channel."
+    busy = "In your startup, periodic traffic alone fills the channel."
     if math.isfinite(low):
-        busy = f"Today's startup needs at least {wording.time_range(low, low)} of airtime."
-    with _progress_bar(f"{busy} Simulating it and its changes.") as (show, tell):
+        busy = f"Unchanged, your startup needs at least {wording.time_range(low, low)} of airtime."
+    with _progress_bar(f"{busy} Simulating it, unchanged and changed.") as (show, tell):
         return answer.simulate(show, tell, interruptible=True).complete
 
 
@@ -224,7 +224,7 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
     files = texts_by_path(answer.fleet, remedy, answer.within)
     with _checks.prefix_errors("--write"):
         write_folder(Path(folder), files, replace=force)
-    begin = f"{len(files)} files. Begin with {Path(folder) / 'README.md'}"
+    begin = f"wrote {len(files)} files. Read {Path(folder) / 'README.md'} first"
     click.echo(visible(f"{wording.capitalized(remedy.what)}: {begin}"))
 
 
