@@ -12,16 +12,26 @@ from discostorm_capture._types import Array, Bytes, Columns
 EVENT_KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
-    *("time stamp", "parts missing", "other traffic", "MAC", "prohibited", "jitter", "incomplete"),
+    *(
+        "time stamp",
+        "parts missing",
+        "other traffic",
+        "MAC",
+        "prohibited",
+        "jitter",
+        "incomplete",
+        "unknown name",
+    ),
 )
 _ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
 _HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED = range(6, 11)
-_TIME_STAMP, _PARTS, _OTHER, _MAC, _PROHIBITED, _JITTER, _INCOMPLETE = range(11, 18)
+_TIME_STAMP, _PARTS, _OTHER, _MAC, _PROHIBITED, _JITTER, _INCOMPLETE, _NO_NAME = range(11, 19)
 _ARP_BYTES, _DESTINATION_UNREACHABLE, _REASSEMBLY_TIMEOUT, _ECHOES = 28, 3, 0x0B01, (0, 8)
 #: ICMP codes of a firewall that rejects a packet: network, host or communication (RFC 1812).
 _PROHIBITED_CODES = (9, 10, 13)
 #: A segment has vanished after this many transmissions without an acknowledgement.
 _MIN_TRANSMISSIONS = 3
+_DNS_PORT, _DNS_HEADER_BYTES = 53, 12
 #: The delays of a stream are compared if there are so many.
 _MIN_DELAYS = 50
 
@@ -157,6 +167,14 @@ def incomplete_datagrams(fragments: Columns, rows: Array) -> Columns:
     """Return one event for each datagram that lacks fragments, given one fragment of each."""
     columns = {name: fragments[name][rows] for name in ("frame", "source", "target")}
     return _event_table(_INCOMPLETE, **columns, port=np.zeros(len(rows), np.int64))
+
+
+def unknown_names(data: Bytes, datagrams: Columns) -> Columns:
+    """Return one event for each reply of DNS that a name does not exist (RFC 1035, RCODE 3)."""
+    flags = numbers_at(data, datagrams["at"] + 2, ">u2")
+    replies = (datagrams["from_port"] == _DNS_PORT) & (datagrams["size"] >= _DNS_HEADER_BYTES)
+    chosen = replies & (flags & 0x800F == 0x8003)
+    return _events_of_rows(_NO_NAME, datagrams, np.flatnonzero(chosen))
 
 
 def two_way_exchanges(datagrams: Columns) -> Columns:

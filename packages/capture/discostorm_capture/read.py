@@ -126,6 +126,7 @@ def _dissect_all(
     return dissections, concat(
         carried.network_events,
         network_events.two_way_exchanges(others),
+        network_events.unknown_names(data, others),
         network_events.time_stamps(messages, *rtps.source_times(data, messages)),
         network_events.connection_events(streams),
         network_events.arrived_and_vanished_segments(streams),

@@ -31,7 +31,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "left_over_server",
             "10.77.0.3 uses a different discovery method than the other hosts",
             "Only multicast is used by 10.77.0.1 and 10.77.0.2",
-            "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
+            "set the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
         ),
         (
             "humble_beside_jazzy",
@@ -230,7 +230,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         (
             "images_lose_a_fragment",
             "Large samples are incomplete",
-            "Make samples smaller",
+            "Send less over this link",
         ),
     ],
 )

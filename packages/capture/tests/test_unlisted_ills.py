@@ -30,13 +30,13 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "one_without_server",
             "10.77.0.3 uses a different discovery method than the other hosts",
             "ulticast is used by 10.77.0.3, and a server or router by 10.77.0.1, 10.77.0.101 and",
-            "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
+            "set the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
         ),
         (
             "peer_beside_router",
             "10.77.0.3 uses a different discovery method than the other hosts",
             "ulticast is used by 10.77.0.3, and a server or router by 10.77.0.1, 10.77.0.101 and",
-            "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
+            "set the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
         ),
         (
             "two_servers",
@@ -114,13 +114,25 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "ntp_beside_server",  # all hosts ask the same host for the time
             "10.77.0.4 uses a different discovery method than the other hosts",
             "ulticast is used by 10.77.0.4, and a server or router by 10.77.0.1, 10.77.0.101,",
-            "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
+            "set the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
         ),
         (
             "robot_with_zenoh",  # its router runs on a host with DDS nodes
             "10.77.0.3 uses a different middleware than the other hosts",
             "10.77.0.1, 10.77.0.101 and 10.77.0.2 speak DDS, and 10.77.0.3 speaks Zenoh",
             "Set the same RMW_IMPLEMENTATION on all hosts",
+        ),
+        (
+            "laptop_without_peers",
+            "10.77.0.101 uses a different discovery method than the other hosts",
+            "10.77.0.101 looks for others only by multicast, but 10.77.0.1, 10.77.0.2 and",
+            "peers in CYCLONEDDS_URI) on all hosts",
+        ),
+        (
+            "all_lose_alike",
+            "frames of all hosts are lost alike, as on a channel that is full or disturbed",
+            "by host: 10.77.0.1 10%, 10.77.0.2 10%, 10.77.0.3 10% and 10.77.0.4 7%",
+            "The cause is the channel rather than one host",
         ),
         (
             "address_by_dhcp",
@@ -347,6 +359,11 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
             "roams_longer_than_lease",
             "10.77.0.2 lost its connection for a while and came back, although its process kept",
             "Check the radio of 10.77.0.2: roaming",
+        ),
+        (
+            "slow_service",  # with a backlog of requests
+            "10.77.0.2 takes seconds to reply to each request of a service",
+            "On 10.77.0.2, find what the callback of this service waits for",
         ),
         (
             "access_point_restarts",
@@ -688,12 +705,57 @@ def test_packets_that_come_in_bursts_after_pauses_show_a_radio_that_scans() -> N
     assert "stop background scans of the Wi-Fi radio" in found.advice
 
 
-def test_a_missing_host_of_another_subnet_is_told_so() -> None:
-    capture = ds.read_capture(STAGED / "laptop_in_another_subnet.pcap.xz")
-    hosts = ["10.77.0.1", "10.77.0.2", "10.77.0.3", "10.78.0.5"]
-    (found,) = capture.diagnosis(hosts).wrong
-    assert (found.kind, found.hosts) == ("missing, other subnet", ("10.78.0.5",))
-    assert "Give all hosts addresses in one subnet" in found.advice
+@pytest.mark.parametrize(
+    ("name", "missing", "kind", "evidence", "action"),
+    [
+        (
+            "laptop_in_another_subnet",
+            "10.78.0.5",
+            "missing, other subnet",
+            "10.78.0.5 sent other packets",
+            "Give all hosts addresses in one subnet",
+        ),
+        (
+            "name_of_router_unknown",
+            "10.77.0.3",
+            "missing, unknown name",
+            "DNS replied to 10.77.0.3 (20 times) that a name does not exist",
+            "On 10.77.0.3, check the name of the server, router or peer",
+        ),
+    ],
+)
+def test_why_a_host_is_missing_is_told_if_its_packets_show_it(
+    name: str, missing: str, kind: str, evidence: str, action: str
+) -> None:
+    capture = ds.read_capture(STAGED / f"{name}.pcap.xz")
+    (found,) = capture.diagnosis(sorted({"10.77.0.1", "10.77.0.2", missing})).wrong
+    assert (found.kind, found.hosts) == (kind, (missing,))
+    assert evidence in found.evidence
+    assert action in found.advice
+
+
+@pytest.mark.parametrize(
+    ("name", "summary", "advice"),
+    [
+        (
+            "robot_loses_power",
+            "10.77.0.2 vanished without a goodbye and came back with new processes",
+            "look at its power (battery, undervoltage",
+        ),
+        (
+            "robot_slows_down",
+            "10.77.0.3 sends all its topics much more slowly than before",
+            "On 10.77.0.3, check whether the processor is throttled or overloaded",
+        ),
+    ],
+)
+def test_events_of_a_computer_are_told_apart_from_those_of_a_process(
+    name: str, summary: str, advice: str
+) -> None:
+    found = diagnosis(name)
+    assert found.summary().startswith(summary)
+    assert advice in found.summary()
+    assert not found.wrong
 
 
 def test_replies_that_are_errors_are_no_replies() -> None:

@@ -67,7 +67,8 @@ def _incomplete_samples(obs: Observations) -> Iterator[Finding]:
     if (count := flows.total()) < LIMITS.min_messages:
         return
     (sender, receiver), most = flows.most_common(1)[0]
-    text = say("lack fragments", count, most, sender, receiver)
+    pairs = [f"{number:,} from {of} to {to}" for (of, to), number in flows.most_common()]
+    text = say("lack fragments", count, pairs)
     alone = most >= LIMITS.min_share_of_one_host * count
     if alone and ip_address(receiver).is_multicast:
         yield Finding("multicast in parts", (sender,), text)

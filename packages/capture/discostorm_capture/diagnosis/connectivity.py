@@ -3,7 +3,7 @@
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from itertools import chain, combinations, groupby
+from itertools import chain, combinations, groupby, permutations
 
 import numpy as np
 
@@ -367,7 +367,23 @@ def separate_groups(evidence: Evidence) -> Iterator[Finding]:
     """Report that hosts of a scope form groups without any message from one to another."""
     obs, parts = evidence.obs, [_connected_groups(evidence.obs, one) for one in evidence.scopes]
     parts = [groups for groups in parts if len(groups) > 1 and not _is_by_domain(obs, groups)]
-    yield from [_explain_separation(obs, of) for of in parts] or _hosts_never_addressed(evidence)
+    found = [_explain_separation(obs, of) for of in parts] or [*_hosts_never_addressed(evidence)]
+    yield from found or _multicast_beside_peers(evidence)
+
+
+def _multicast_beside_peers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that only multicast, and refuse the ports at which others look for a peer."""
+    obs, looking = evidence.obs, _multicast_targets(evidence.obs)
+    asked, refused = ({row[1:4] for row in obs.event_tuples(k)} for k in ("asked", "unreachable"))
+    apart: dict[str, dict[str, None]] = {}
+    for pair in evidence.incomplete_pairs:
+        for caller, host in permutations(obs.hosts_of(pair.processes), 2):
+            tried = {row for row in asked if row[:2] == (caller, host)}
+            if host in looking and caller not in looking and tried and tried <= refused:
+                apart.setdefault(host, {})[caller] = None
+    for host, callers in apart.items():
+        text = say("peers and multicast", host, [*callers])
+        yield Finding("different discovery", (host,), text)
 
 
 def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:

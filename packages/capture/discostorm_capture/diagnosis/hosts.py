@@ -210,13 +210,16 @@ def isolated_hosts(evidence: Evidence) -> Iterator[Finding]:
         often = len(times) >= LIMITS.min_unanswered and np.ptp(times) >= LIMITS.timeout
         if often and talks.get(asker, set()) & talks.get(target, set()):
             vain.setdefault(target, {})[asker] = len(times)
+    texts, hosts = list[str](), dict[str, None]()
     for target, asks in vain.items():
-        if len(asks) > 1:
+        common = sorted(set.intersection(*(talks[one] for one in (target, *asks))))
+        if len(asks) > 1 and common:
             counts = join_names([f"{of}: {count}" for of, count in asks.items()])
-            common = sorted(set.intersection(*(talks[one] for one in (target, *asks))))
-            if common:
-                text = say("isolated", target, counts, common)
-                yield Finding("client isolation", (target, *asks), text)
+            texts.append(say("isolated", target, counts, common))
+            hosts |= dict.fromkeys((target, *asks))
+    if texts:
+        more = f"; likewise for {len(texts) - 1} other hosts" if len(texts) > 1 else ""
+        yield Finding("client isolation", tuple(hosts), texts[0] + more)
 
 
 def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
@@ -290,6 +293,11 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
         kind = "missing" if len(silent) < len(absent) else "missing, but on"
         if present and not any(":" in of or obs.subnet_neighbors(of, present) for of in absent):
             kind = "missing, other subnet"
+        names = Counter(row[2] for row in obs.event_tuples("unknown name") if row[2] in silent)
+        if names.total() >= LIMITS.min_calls:
+            replies = [f"{host} ({count} times)" for host, count in names.items()]
+            text += f"; DNS replied to {join_names(replies)} that a name does not exist"
+            kind = "missing, unknown name"
         yield Finding("missing, wrong address" if asks else kind, absent, text)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.losses import find_losses
+from discostorm_capture.diagnosis.observations import Observations
 from discostorm_capture.diagnosis.pairs import first_of_each_burst
 from discostorm_capture.sentences import join_names, say
 
@@ -25,10 +26,16 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
         starts = sorted(first[new] for chain in chains for new in chain[1:])
         times = _format_times(starts)
         which = "processes" if len(starts) > 1 else "a process"
-        again[host] = f"on {host}, {which} began at {times}, after the previous one had gone silent"
         ends = {evidence.endings[old] for chain in chains for old in chain[:-1]}
-        if max(map(len, chains)) >= LIMITS.min_loop_starts and ends != {"left"}:
+        how = "said goodbye" if ends == {"left"} else "gone silent"
+        again[host] = f"on {host}, {which} began at {times}, after the previous one had {how}"
+        if ends == {"left"}:
+            continue
+        if max(map(len, chains)) >= LIMITS.min_loop_starts:
             yield Finding("crash loop", (host,), again.pop(host))
+        elif off := _was_off(obs, host, last[chains[0][-2]], first[chains[0][-1]]):
+            again.pop(host)
+            yield off
     for server in sorted(obs.servers):
         beats = obs.isin("kind", "SPDP Heartbeat") & (obs.sender_index == server)
         fell = np.diff(obs.seq[beats], prepend=0) < 0
@@ -49,6 +56,46 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("command loop", (host,), text)
     if again:  # one finding, because the whole fleet may have been restarted
         yield Finding("restart", tuple(again), "; ".join(again.values()))
+
+
+def _was_off(obs: Observations, host: str, stop: float, start: float) -> Finding | None:
+    """Return a finding if a host sent and refused nothing for a while after a process ended."""
+    # Its system speaks before its processes do.
+    answers = [row[4] for row in obs.event_tuples("unreachable", "refused") if row[2] == host]
+    asks = [row[4] for row in obs.event_tuples("ARP request", "ARP reply") if row[1] == host]
+    by_it = obs.time[obs.isin("sender", host)].tolist()
+    back = min(time for time in (*answers, *asks, *by_it, start) if time > stop)
+    sent = obs.time[obs.isin("receiver", host)]
+    vain = int(((sent > stop + LIMITS.late_delivery) & (sent < back)).sum())
+    if vain < LIMITS.min_messages or back - stop < LIMITS.timeout:
+        return None
+    return Finding.of("host restarted", (host,), stop, back, vain)
+
+
+def slower_processes(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with a process of DDS whose samples all get rarer than at first."""
+    obs = evidence.obs
+    for process, host in enumerate(obs.process_host):
+        begin, end = (times[process] for times in obs.first_last)
+        rows = obs["user"].astype(bool) & (obs.sender_index == process)
+        rows &= ~obs.isin("submessage", "ACKNACK", "HEARTBEAT")
+        begin += LIMITS.startup_time
+        third = (min(end, obs.end) - begin) / 3
+        away = np.diff(obs.time[obs.sender_index == process]).max(initial=0.0) > LIMITS.timeout
+        if third < LIMITS.timeout or evidence.endings[process] or away or not obs.is_rtps[process]:
+            continue
+        flows = [
+            obs.time[of[np.unique(obs.seq[of], return_index=True)[1]]]  # once for all readers
+            for of in obs.rows_by(rows, obs["writer"]).values()
+        ]
+        at = begin, begin + third, end - third, end
+        counts = [np.searchsorted(np.sort(times), at) for times in flows]
+        rates = np.array([(b - a, d - c) for a, b, c, d in counts]).reshape(-1, 2)
+        rates = rates[rates[:, 0] >= LIMITS.min_messages]
+        slower = rates[:, 0] >= LIMITS.min_pause_ratio * np.maximum(rates[:, 1], 1)
+        if len(rates) and slower.all() and (rates[:, 1] > 0).all():
+            before, after = rates.sum(axis=0) / third
+            yield Finding.of("slows down", (str(host),), before, third, after)
 
 
 def paused_servers(evidence: Evidence) -> Iterator[Finding]:

@@ -100,23 +100,29 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     share, low, high = (wording.percent(one) for one in (again / sent, *_wilson_ci(again, sent)))
     text = say("loss", when.min(), when.max(), again, sent, share, low, high)
     least = LIMITS.min_share_of_one_host * again
-    # Of the hosts with a part in nearly all of them, that with the fewest frames, as one that
-    # recorded, or a server, has a part in all frames.
-    hosts = [of for of, count in ends.items() if count >= least and of != evidence.obs.vantage_host]
+    # A server, or the host that recorded, has a part in all frames.
+    apart = {of for of in total if total[of] < LIMITS.min_share_of_one_host * sent}
+    hosts = [of for of, count in ends.items() if count >= least and of in apart]
     host = min(hosts, key=total.__getitem__, default="")
     most = ends[host]
-    if len(total) > 2 and host:
+    shares = {of: ends[of] / total[of] for of in sorted(apart)}
+    if host:
         text += f"; {wording.percent(most / again)} of the repeated frames were from or to {host}"
-        apart = total[host] < LIMITS.min_share_of_one_host * sent and most >= LIMITS.min_repeats
-        own, full = most / total[host], evidence.channel_use >= LIMITS.max_channel_use
-        if apart and own >= LIMITS.min_weak_share and not full:
+        own, full = shares[host], evidence.channel_use >= LIMITS.max_channel_use
+        if most >= LIMITS.min_repeats and own >= LIMITS.min_weak_share and not full:
             text += f", about {wording.percent(own)} of its {total[host]:,} frames"
             yield _crowded_link(evidence.obs, text) or Finding("weak link", (host,), text)
             return
     # Little loss is normal on Wi-Fi, unless it delays discovery.
     normal = _wilson_ci(again, sent)[0] <= LIMITS.max_healthy_loss
     normal &= not [*evidence.incomplete_pairs, *multicast_loss(evidence)]
-    loss = Finding("heavy loss" if heavy else "some loss" if normal else "loss", (), text)
+    kind = "heavy loss" if heavy else "some loss" if normal else "loss"
+    worst, best = max(shares.values(), default=0.0), min(shares.values(), default=0.0)
+    alike = best >= max(LIMITS.min_weak_share, worst / 2)
+    if len(shares) >= LIMITS.min_channel_hosts and alike and kind != "some loss":
+        each = join_names([f"{of} {wording.percent(share)}" for of, share in shares.items()])
+        kind, text = "heavy loss" if heavy else "channel loss", f"{text}; by host: {each}"
+    loss = Finding(kind, (), text)
     broken = evidence.obs.recording.incomplete_datagrams >= LIMITS.min_repeats
     crowded = _crowded_link(evidence.obs, text)
     # Little loss is a sign, too, if the host that loses frames is the one that sends so much.

@@ -219,6 +219,12 @@ def silent_services(evidence: Evidence) -> Iterator[Finding]:
             for of in (replying, asking)
         )
         lasts = len(asks) >= LIMITS.min_calls and np.ptp(asks) >= LIMITS.timeout
+        pairs = zip(sorted(asks), sorted(replies), strict=False)
+        delay = float(np.median([reply - asked for asked, reply in pairs] or [0.0]))
+        # The result of an action is asked for in advance.
+        slow = lasts and delay >= LIMITS.min_hang and not service.endswith("get_result")
+        for host in obs.hosts_of(one for one, *_ in serving) if slow else ():
+            yield Finding.of("slow service", (host,), service, delay, len(replies), len(asks))
         for host in obs.hosts_of(one for one, *_ in serving) if lasts and not replies else ():
             by = obs.hosts_of(one for one, *_ in asking)
             texts.setdefault(host, []).append(say("no reply", service, by, len(asks), host))
