@@ -64,7 +64,7 @@ class PacketStream:
     def error_if_ended(self) -> str:
         """The error message if the stream ends now; "" if that is no error."""
         if not self.header:
-            return f"{self.name}: it ended before a packet came; is its source running?"
+            return f"{self.name}: ended before any packet arrived; is its source running?"
         return f"{self.name}: it ended within a packet" if self._rest else ""
 
 

@@ -62,7 +62,7 @@ def diagnosis(name: str) -> Diagnosis:
         ),
         (
             "zenoh_black_hole",  # after 700 bytes of TCP to each of the others
-            "either a firewall or the network drops packets of open TCP connections with 10.77.0.3",
+            "either a firewall or the network drops packets of open TCP connections from and to",
             "10.77.0.3 to 10.77.0.1 (57 bytes, first sent after 0.0 s)",
             "While packets vanish, `ping` the others from 10.77.0.3",
         ),
@@ -70,7 +70,7 @@ def diagnosis(name: str) -> Diagnosis:
             "zenoh_wrong_port",
             "10.77.0.3 uses the wrong port or transport for the server or router",
             "10.77.0.3 asked 10.77.0.1 at port 7448 (4 times refused), but port 7447 answers there",
-            "Correct the port on 10.77.0.3",
+            "On 10.77.0.3, correct the port and the transport",
         ),
     ],
 )

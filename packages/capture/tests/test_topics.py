@@ -31,7 +31,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "left_over_server",
             "10.77.0.3 uses a different discovery method than the other hosts",
             "Only multicast is used by 10.77.0.1 and 10.77.0.2",
-            "set the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
+            "the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
         ),
         (
             "humble_beside_jazzy",
@@ -84,7 +84,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "static_on_one",
             "10.77.0.3 differs from the other hosts in static endpoint discovery",
-            "10.77.0.3 took endpoints from a file (static discovery)",
+            "10.77.0.3 read endpoints from a file (static discovery)",
             "On 10.77.0.3, turn static endpoint discovery off",
         ),
         (
@@ -194,12 +194,12 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         ),
         (
             "router_denies_one",
-            "Either no other host uses the keys of 10.77.0.3, or the router's access",
+            "10.77.0.3 gets no data, because either no other host uses its topics, or the router's",
             "keys access_control of the router allows",
         ),
         (
             "namespace_on_one",
-            "Either no other host uses the keys of 10.77.0.3, or the router's access",
+            "10.77.0.3 gets no data, because either no other host uses its topics, or the router's",
             "compare the namespace in the Zenoh configuration",
         ),
         (

@@ -30,13 +30,13 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "one_without_server",
             "10.77.0.3 uses a different discovery method than the other hosts",
             "ulticast is used by 10.77.0.3, and a server or router by 10.77.0.1, 10.77.0.101 and",
-            "set the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
+            "the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
         ),
         (
             "peer_beside_router",
             "10.77.0.3 uses a different discovery method than the other hosts",
             "ulticast is used by 10.77.0.3, and a server or router by 10.77.0.1, 10.77.0.101 and",
-            "set the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
+            "the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
         ),
         (
             "two_servers",
@@ -114,7 +114,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "ntp_beside_server",  # all hosts ask the same host for the time
             "10.77.0.4 uses a different discovery method than the other hosts",
             "ulticast is used by 10.77.0.4, and a server or router by 10.77.0.1, 10.77.0.101,",
-            "set the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
+            "the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
         ),
         (
             "robot_with_zenoh",  # its router runs on a host with DDS nodes
@@ -126,13 +126,19 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "laptop_without_peers",
             "10.77.0.101 uses a different discovery method than the other hosts",
             "10.77.0.101 looks for others only by multicast, but 10.77.0.1, 10.77.0.2 and",
-            "peers in CYCLONEDDS_URI) on all hosts",
+            "peers in CYCLONEDDS_URI) on all hosts, or none on any",
         ),
         (
-            "all_lose_alike",
-            "frames of all hosts are lost alike, as on a channel that is full or disturbed",
-            "by host: 10.77.0.1 10%, 10.77.0.2 10%, 10.77.0.3 10% and 10.77.0.4 7%",
-            "The cause is the channel rather than one host",
+            "foreign_arp",
+            "another device answers ARP requests for 10.77.0.101, 10.77.0.1 and 10.77.0.3",
+            "The MAC address 02:00:00:00:00:fe claims the addresses 10.77.0.101, 10.77.0.1 and",
+            "Find the device with this MAC address",
+        ),
+        (
+            "no_multicast_between_clients",  # pings show that the capture has their unicast
+            "some packets between 10.77.0.2, 10.77.0.1 and 10.77.0.3 never arrive",
+            "10.77.0.1 never answered 10.77.0.2 and 10.77.0.3, nor vice versa",
+            "make access points pass multicast between their clients",
         ),
         (
             "address_by_dhcp",
@@ -162,7 +168,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "udp_instead_of_tcp",
             "10.77.0.3 uses the wrong port or transport for the server or router",
             "10.77.0.3 asked 10.77.0.101 at port 7447 by UDP",
-            "Correct the port on 10.77.0.3 (and tcp/, udp/ or tls/)",
+            "On 10.77.0.3, correct the port and the transport (tcp/, udp/ or tls/)",
         ),
         (
             "peers_without_index",
@@ -204,7 +210,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "tls_on_one",
             "10.77.0.3 uses the wrong port or transport for the server or router",
             "10.77.0.3 opened 3 connections to 10.77.0.101 at port 7447",
-            "Correct the port on 10.77.0.3 (and tcp/, udp/ or tls/)",
+            "On 10.77.0.3, correct the port and the transport (tcp/, udp/ or tls/)",
         ),
         (
             "two_networks",
@@ -245,13 +251,13 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "server_allow_list",
             "10.77.0.3 gets no answer from a server or router that answers other hosts",
-            " times), although 10.77.0.101 answers 10.77.0.1 and 10.77.0.2",
+            " times), but got no answer, although 10.77.0.101 answers 10.77.0.1 and 10.77.0.2",
             "allow 10.77.0.3 in the firewall of the server",
         ),
         (
             "router_allow_list",
             "10.77.0.3 gets no answer from a server or router that answers other hosts",
-            "10.77.0.3 called 10.77.0.101 without an answer (3 times at port 7447 by TCP)",
+            "10.77.0.3 tried to reach 10.77.0.101 (3 times at port 7447 by TCP), but got no answer",
             "allow 10.77.0.3 in the firewall of the server",
         ),
         (
@@ -364,6 +370,16 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
             "slow_service",  # with a backlog of requests
             "10.77.0.2 takes seconds to reply to each request of a service",
             "On 10.77.0.2, find what the callback of this service waits for",
+        ),
+        (
+            "log_flood",
+            "A process on 10.77.0.2 logs very often, as in a loop with an error",
+            "wrote up to 800 messages a second to /rosout. Read what it logs",
+        ),
+        (
+            "healthy_server_update",
+            "The server on 10.77.0.102 ended and started again, so all hosts discovered each other",
+            "Nothing to do if you restarted it on purpose",
         ),
         (
             "access_point_restarts",
@@ -530,7 +546,7 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
     [
         (
             "small_socket_buffer",
-            "complete, but not healthy: 10.77.0.2 loses only parts of large samples",
+            "complete, but not healthy: 10.77.0.2 loses parts of large samples, but no small",
             "but no small samples, were requested by 10.77.0.2 (6 times)",
             "On 10.77.0.2, raise net.core.rmem_max",
         ),
@@ -756,6 +772,19 @@ def test_events_of_a_computer_are_told_apart_from_those_of_a_process(
     assert found.summary().startswith(summary)
     assert advice in found.summary()
     assert not found.wrong
+
+
+def test_where_all_hosts_lose_alike_the_channel_is_the_cause() -> None:
+    (found,) = diagnosis("all_lose_alike").wrong
+    assert (found.kind, found.hosts) == ("channel loss", ())
+    assert "by host: 10.77.0.1 10%, 10.77.0.2 10%, 10.77.0.3 10% and 10.77.0.4 7%" in found.evidence
+    assert found.advice.startswith("The cause is the channel rather than one host")
+
+
+def test_the_link_of_the_host_that_recorded_may_be_the_weak_one() -> None:
+    found = diagnosis("weak_link_of_recorder").wrong[0]
+    assert (found.kind, found.hosts) == ("weak link", ("10.77.0.101",))
+    assert "Check the radio link of 10.77.0.101" in found.advice
 
 
 def test_replies_that_are_errors_are_no_replies() -> None:

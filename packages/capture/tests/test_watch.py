@@ -263,8 +263,8 @@ def test_metrics_are_served() -> None:
 @pytest.mark.parametrize(
     ("content", "said"),
     [
-        (b"", "it ended before a packet came"),
-        (FAST[:10], "it ended before a packet came"),
+        (b"", "ended before any packet arrived"),
+        (FAST[:10], "ended before any packet arrived"),
         (bytes(100), "not a pcap: it starts with 00 00 00 00"),
         (FAST[:-3], "it ended within a packet"),
     ],

@@ -276,13 +276,16 @@ def diagnose(obs: Observations) -> Diagnosis:
 
 
 def _unreplaced(findings: Iterable[Finding], by: list[Finding]) -> list[Finding]:
-    """Return the findings that none of the others replaces, for one of their hosts or for all."""
+    """Return the findings that none of the others replaces.
+
+    A finding about one host replaces only those about it, or about all.
+    """
     kinds = [(kind, {*one.hosts}) for one in by for kind in one.replaces]
     return [
         one
         for one in findings
         if not any(
-            one.kind == kind and (not hosts or not one.hosts or hosts & {*one.hosts})
+            one.kind == kind and (len(hosts) != 1 or not one.hosts or hosts & {*one.hosts})
             for kind, hosts in kinds
         )
     ]

@@ -34,6 +34,22 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
             yield Finding.of("duplicate address", (str(address),), names)
 
 
+def taken_addresses(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts for whose addresses a foreign MAC address answers, besides their own."""
+    arp = evidence.obs.events("ARP request", "ARP reply")
+    arp = arp[arp["sender"].isin([*evidence.obs.host_first_last])]
+    if not np.isfinite(evidence.completion_times).any():
+        return  # an access point that keeps its clients apart may answer for them
+    macs = arp.groupby("sender", observed=True)["port"].agg(set)
+    for mac in arp["port"].unique():
+        taken = [str(host) for host, of in macs.items() if mac in of and len(of) == 2]
+        owners = [macs[host] - {mac} for host in taken]
+        # Those of one host with several interfaces are not distinct.
+        own = [sum(of & claimed != set() for claimed in macs) for of in owners]
+        if len(taken) > 1 and len(set().union(*owners)) == len(taken) and set(own) == {1}:
+            yield Finding.of("taken addresses", taken, _format_mac(int(mac)))
+
+
 def moved_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with a new address for which others still look at the old one."""
     obs = evidence.obs
@@ -284,11 +300,13 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("too few hosts", (), text)
     elif absent := tuple(host for host in expected or () if host not in present):
         silent = [host for host in absent if obs.network_events["sender"].eq(host).any()]
-        text = f"{join_names(absent)} announced nothing; {len(expected or ())} hosts are expected"
+        text = f"of {len(expected or ())} expected hosts, {join_names(absent)} announced nothing"
         if silent:
             they = "it is" if len(silent) == 1 else "they are"
             text += f"; {join_names(silent)} sent other packets, so {they} on the network"
-        if asks := [f"{by} asked for {of}" for by, of in obs.unanswered_arp if by in silent]:
+        there = {*obs.network_events["sender"].astype(str)}
+        vain = [pair for pair in obs.unanswered_arp if pair[0] in silent and pair[1] not in there]
+        if asks := [f"{by} asked for {of}" for by, of in vain]:
             text += f"; {join_names(asks)} by ARP, and got no answer"
         kind = "missing" if len(silent) < len(absent) else "missing, but on"
         if present and not any(":" in of or obs.subnet_neighbors(of, present) for of in absent):

@@ -275,4 +275,10 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     kind = "leases expire" if len(when) >= LIMITS.min_lease_expiries else "forgotten"
     leases = evidence.obs.processes.query("host in @hosts")["lease"]
     lease = f"; the lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
-    yield Finding(kind, hosts, say("rediscovered", hosts, _format_times(when), lease))
+    text = say("rediscovered", hosts, _format_times(when), lease)
+    servers = evidence.obs.hosts_of(
+        sorted(evidence.obs.servers & {*np.flatnonzero(evidence.obs.is_rtps)})
+    )
+    if kind == "forgotten" and servers and {*hosts} >= {*evidence.obs.process_host}:
+        kind, hosts = "server restarted", servers
+    yield Finding(kind, hosts, text)

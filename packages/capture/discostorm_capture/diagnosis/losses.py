@@ -122,6 +122,10 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     if len(shares) >= LIMITS.min_channel_hosts and alike and kind != "some loss":
         each = join_names([f"{of} {wording.percent(share)}" for of, share in shares.items()])
         kind, text = "heavy loss" if heavy else "channel loss", f"{text}; by host: {each}"
+        vantage, servers = evidence.obs.vantage_host, evidence.obs.hosts_of(evidence.obs.servers)
+        if vantage and vantage not in servers:  # its own link may be the common cause
+            yield Finding("weak link", (vantage,), text)
+            return
     loss = Finding(kind, (), text)
     broken = evidence.obs.recording.incomplete_datagrams >= LIMITS.min_repeats
     crowded = _crowded_link(evidence.obs, text)

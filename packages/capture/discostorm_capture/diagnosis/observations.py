@@ -40,6 +40,7 @@ class Observations:
         #: The only host whose unicast was captured, if any. Hosts without a process count, too.
         self.vantage_host = vantage_host(self.messages, hosts, self.server_hosts)
         calls = self.links_of(self.events("connection", "half", "refused", "unanswered"))
+        calls |= {pair for pair in self.links_of(self.events("other traffic")) if {*pair} <= hosts}
         if any(self.vantage_host not in pair for pair in calls):
             self.vantage_host = None
         #: For each message: time [s], sequence number, and the index of the sending and of the

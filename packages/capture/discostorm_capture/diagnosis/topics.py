@@ -246,6 +246,17 @@ def silent_services(evidence: Evidence) -> Iterator[Finding]:
             yield Finding.of("no Zenoh reply", (host,), len(times), names, good, bad)
 
 
+def log_flood(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with a process of DDS that logs very often."""
+    obs, logs = evidence.obs, evidence.endpoints
+    logs = logs[logs["topic"].eq("rt/rosout") & logs["writer"].eq(other=True)]
+    for process, writer, host in logs[["index", "entity", "host"]].itertuples(index=False):
+        times = np.sort(_first_sample_times(obs, process, writer))
+        seconds = np.unique(times.astype(np.int64), return_counts=True)[1]
+        if (seconds >= LIMITS.log_rate).sum() >= LIMITS.min_stream_seconds:
+            yield Finding.of("log flood", (host,), seconds.max())
+
+
 def missing_clock(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that read simulation time, which no host publishes."""
     clocks = evidence.endpoints[evidence.endpoints["topic"].eq("rt/clock")]
