@@ -760,7 +760,7 @@ def test_why_a_host_is_missing_is_told_if_its_packets_show_it(
         ),
         (
             "robot_slows_down",
-            "10.77.0.3 sends all its topics much more slowly than before",
+            "A process on 10.77.0.3 sends its topics much more slowly than before",
             "On 10.77.0.3, check whether the processor is throttled or overloaded",
         ),
     ],

@@ -110,7 +110,7 @@ def test_explanations_have_the_smaller_end_alone() -> None:
     assert "cuts the airtime" not in text
     paper = ds.plan(plan.fleet, FAST_DDS)
     simulate_protocols([paper])  # without changes, which take longest
-    assert "at least" not in " ".join(paper.why().split()).partition("While nodes start")[0]
+    assert "at least" not in " ".join(paper.why().split()).partition("while nodes start")[0]
 
 
 def test_the_answer_comes_first_then_airtime_then_why() -> None:

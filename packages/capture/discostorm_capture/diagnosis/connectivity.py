@@ -142,10 +142,11 @@ def different_domains(evidence: Evidence) -> Iterator[Finding]:
         hosts = tuple(chain.from_iterable(members))
         said = [f"domain {domain} has {join_names(found)}" for domain, found in members.items()]
         if len(members) > 1 and len(hosts) == len({*hosts}):
-            # Two teams sharing a network have several hosts each, and none in the default domain,
-            # or no packets between them, as with a Zenoh router for each.
+            # Two teams sharing a network have several hosts each. Of two hosts, none is in the
+            # default domain, or no packets go between them, as with a Zenoh router for each.
             apart = [_is_by_domain(obs, _connected_groups(obs, one)) for one in evidence.scopes]
-            teams = min(map(len, members)) > 1 and ("0" not in members or any(apart))
+            least = 2 if "0" not in members or any(apart) else 3
+            teams = min(map(len, members)) >= least
             yield Finding("two fleets" if teams else "two domains", hosts, join_names(said, "; "))
         single = members[names[table.index].value_counts()[members.index] == 1]
         for (host,) in single:

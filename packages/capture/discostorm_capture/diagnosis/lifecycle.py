@@ -10,6 +10,7 @@ from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.losses import find_losses
 from discostorm_capture.diagnosis.observations import Observations
 from discostorm_capture.diagnosis.pairs import first_of_each_burst
+from discostorm_capture.endpoints import ros_topic
 from discostorm_capture.sentences import join_names, say
 
 
@@ -84,9 +85,10 @@ def slower_processes(evidence: Evidence) -> Iterator[Finding]:
         away = np.diff(obs.time[obs.sender_index == process]).max(initial=0.0) > LIMITS.timeout
         if third < LIMITS.timeout or evidence.endings[process] or away or not obs.is_rtps[process]:
             continue
+        by_writer = obs.rows_by(rows, obs["writer"])
         flows = [
             obs.time[of[np.unique(obs.seq[of], return_index=True)[1]]]  # once for all readers
-            for of in obs.rows_by(rows, obs["writer"]).values()
+            for of in by_writer.values()
         ]
         at = begin, begin + third, end - third, end
         counts = [np.searchsorted(np.sort(times), at) for times in flows]
@@ -95,7 +97,11 @@ def slower_processes(evidence: Evidence) -> Iterator[Finding]:
         slower = rates[:, 0] >= LIMITS.min_pause_ratio * np.maximum(rates[:, 1], 1)
         if len(rates) and slower.all() and (rates[:, 1] > 0).all():
             before, after = rates.sum(axis=0) / third
-            yield Finding.of("slows down", (str(host),), before, third, after)
+            ends = evidence.endpoints[evidence.endpoints["index"] == process]
+            ends = ends[ends["entity"].isin([writer for (writer,) in by_writer])]
+            topics = sorted(ros_topic(of) for of in {*ends["topic"]} if "/" in of)
+            named = f" (on {join_names(topics)})" if topics else ""
+            yield Finding.of("slows down", (str(host),), before, third, after, named)
 
 
 def paused_servers(evidence: Evidence) -> Iterator[Finding]:

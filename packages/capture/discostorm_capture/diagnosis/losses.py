@@ -117,15 +117,23 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     normal = _wilson_ci(again, sent)[0] <= LIMITS.max_healthy_loss
     normal &= not [*evidence.incomplete_pairs, *multicast_loss(evidence)]
     kind = "heavy loss" if heavy else "some loss" if normal else "loss"
-    worst, best = max(shares.values(), default=0.0), min(shares.values(), default=0.0)
-    alike = best >= max(LIMITS.min_weak_share, worst / 2)
-    if len(shares) >= LIMITS.min_channel_hosts and alike and kind != "some loss":
-        each = join_names([f"{of} {wording.percent(share)}" for of, share in shares.items()])
-        kind, text = "heavy loss" if heavy else "channel loss", f"{text}; by host: {each}"
+    worst = max(shares.values(), default=0.0)
+    # A host that talks with one of the worst has about half its share.
+    weak = tuple(of for of, share in shares.items() if share > 0.75 * worst)
+    good = [of for of, share in shares.items() if share <= worst / 2]
+    each = join_names([f"{of} {wording.percent(share)}" for of, share in shares.items()])
+    if worst >= LIMITS.min_weak_share and kind != "some loss":
         vantage, servers = evidence.obs.vantage_host, evidence.obs.hosts_of(evidence.obs.servers)
-        if vantage and vantage not in servers:  # its own link may be the common cause
-            yield Finding("weak link", (vantage,), text)
+        many, own = len(shares) >= LIMITS.min_channel_hosts, vantage and vantage not in servers
+        alike = min(shares.values()) >= max(LIMITS.min_weak_share, worst / 2)
+        text += f"; by host: {each}" if many else ""
+        if many and alike and own:  # the link of the host that recorded may be the common cause
+            yield Finding("weak link", (str(vantage),), text)
             return
+        if len(good) > 1 and len(weak) + len(good) == len(shares):
+            yield Finding("weak link", weak, text)
+            return
+        kind = "channel loss" if many and alike and not heavy else kind
     loss = Finding(kind, (), text)
     broken = evidence.obs.recording.incomplete_datagrams >= LIMITS.min_repeats
     crowded = _crowded_link(evidence.obs, text)
