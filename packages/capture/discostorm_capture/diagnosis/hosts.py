@@ -12,7 +12,6 @@ from discostorm import _checks, wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
-from discostorm_capture.diagnosis.losses import frame_loss
 from discostorm_capture.diagnosis.observations import ExpectedHosts, Observations
 from discostorm_capture.sentences import join_names, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
@@ -359,16 +358,6 @@ def held_back_packets(evidence: Evidence) -> Iterator[Finding]:
         if len(long) >= LIMITS.min_calls:
             spans = pauses[long]
             yield Finding.of("held back", (host,), len(long), spans.min(), spans.max())
-
-
-def late_deliveries(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts to which TCP segments are under way for long at times, if no frames are lost."""
-    late = evidence.obs.events("jitter")
-    late = late[late["port"] >= 1e3 * LIMITS.min_jitter]
-    if len(late) and not [*frame_loss(evidence)]:
-        for to, rows in late.groupby("receiver", observed=True):
-            by = sorted({*rows["sender"].astype(str)})
-            yield Finding.of("late delivery", (str(to),), rows["port"].max(), by)
 
 
 def _burst_times(times: Array) -> Array:

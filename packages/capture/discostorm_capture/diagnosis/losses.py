@@ -142,6 +142,16 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     yield (serious and crowded) or loss
 
 
+def late_deliveries(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts to which TCP segments are under way for long at times, if no frames are lost."""
+    late = evidence.obs.events("jitter")
+    late = late[late["port"] >= 1e3 * LIMITS.min_jitter]
+    if len(late) and not [*frame_loss(evidence)]:
+        for to, rows in late.groupby("receiver", observed=True):
+            by = sorted({*rows["sender"].astype(str)})
+            yield Finding.of("late delivery", (str(to),), rows["port"].max(), by)
+
+
 def _crowded_link(obs: Observations, text: str) -> Finding | None:
     """Return a finding if one host sends most bytes of the capture by other programs."""
     flows = obs.events("other traffic").groupby("sender", observed=True)["port"].sum()

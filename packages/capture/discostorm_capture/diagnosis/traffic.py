@@ -11,8 +11,12 @@ from discostorm.data import read_data
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
-from discostorm_capture.diagnosis.hosts import late_deliveries
-from discostorm_capture.diagnosis.losses import SEGMENT_LOSS, frame_loss, lost_sample_frames
+from discostorm_capture.diagnosis.losses import (
+    SEGMENT_LOSS,
+    frame_loss,
+    late_deliveries,
+    lost_sample_frames,
+)
 from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import server_clients
 from discostorm_capture.endpoints import ros_topic
