@@ -132,10 +132,10 @@ const s93 = "one more program";
 const s94 = ["server", "setting"];
 const s95 = "one more program and a setting";
 const s96 = "discovery server on a robot";
-const s97 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; we count a service as two endpoints, as in DDS"};
+const s97 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "parameters cannot be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; we count a service as two endpoints, as in DDS"};
 const s98 = ["build", "setting"];
 const s99 = "rebuilt nodes and a setting";
-const s100 = {"efforts": s98, "effort": 5, "takes": s99, "best_case": false, "cost": "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; we count a service as two endpoints, as in DDS; discovery cannot be complete before the last host starts"};
+const s100 = {"efforts": s98, "effort": 5, "takes": s99, "best_case": false, "cost": "parameters cannot be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; we count a service as two endpoints, as in DDS; discovery cannot be complete before the last host starts"};
 const s101 = "another middleware";
 const s102 = {"efforts": ["switch"], "effort": 8, "takes": s101, "best_case": false, "cost": "all hosts must change together"};
 const s103 = ["switch", "server"];
@@ -1258,7 +1258,7 @@ return {
 "rounded": "In \"{name}\", a process has {mean} endpoints on average; we simulate {whole}.",
 "domain": "All hosts have ROS_DOMAIN_ID {domain}, which does not change these times.",
 "of paper: messages channel": "The messages and the channel are the paper's: set yours with `--protocol` and `--wifi`.",
-"of paper: messages": "The messages are the paper's: set yours with `--protocol`.",
+"of paper: messages": "The messages are the paper's; for a product's, use `--protocol`.",
 "of paper: channel": "The channel is the paper's: set yours with `--wifi`.",
 "server": "We assume that the server or router is wired to the access point and is not one of your hosts.",
 "extrapolated": "We measured {protocol} in fleets of up to {hosts}; beyond that, we extrapolate.",
@@ -1277,7 +1277,7 @@ return {
 "no reboot": "Not sure: we simulate a reboot only if every startup has finished before it.",
 "several at once": "The command `discostorm plan` also tries other combinations of changes.",
 "other start": "Changes are compared for robots that start together.",
-"paper (802.11n)": "the Discovery Storm paper's 802.11n",
+"paper (802.11n)": "802.11n as in the Discovery Storm paper",
 "own channel": "your own channel",
 "DDS, periods of Fast DDS": "DDS with Fast DDS timers",
 "DDS, periods of Cyclone DDS": "DDS with Cyclone DDS timers",
@@ -1313,7 +1313,7 @@ return {
 "no room for data": "The channel can never carry discovery and all your data. Send fewer samples, or send them to fewer hosts.",
 "captured": "The measured model of {name} comes from captures of up to {hosts} that started together, with up to {processes} in all and {endpoints} per process.",
 "beyond captures": "This fleet exceeds these numbers, so we extrapolate.",
-"as the paper": "We count {names} as the paper does, and leave out messages that the product packs together or adds.",
+"as the paper": "We count {names} as the paper does, although the product packs some of these messages together and sends others as well.",
 "whole burst": "We count the whole startup burst within {window}, and periodic traffic at its average rate. The result is an upper bound.",
 "standard timing": "For other radios, we use the timing of the 802.11 standard. By that timing, your fleet as it is needs {airtime} of airtime.",
 "nothing to write": "Your startup already works, so nothing needs changing, and we wrote no files. To write the configuration for a change anyway, name the change: --paste NAME.",

@@ -37,13 +37,13 @@ def diagnosis(name: str) -> Diagnosis:
     [
         (
             "wrong_netmask",
-            "10.77.0.2 does not answer ARP, because either the netmask or route is wrong there",
+            "10.77.0.2 does not answer ARP, because either the netmask or the route there is",
             "10.77.0.3 sent 12 ARP requests for 10.77.0.2 and got no answer",
             "On 10.77.0.2, compare `ip address`",
         ),
         (
             "wrong_gateway",
-            "10.77.0.130 does not answer ARP, because either the netmask or route is wrong there",
+            "10.77.0.130 does not answer ARP, because either the netmask or the route there is",
             "10.77.0.130 sent 9 ARP requests for 10.77.0.129 and got no answer",
             "On 10.77.0.130, compare `ip address`",
         ),
@@ -62,7 +62,7 @@ def diagnosis(name: str) -> Diagnosis:
         ),
         (
             "zenoh_black_hole",  # after 700 bytes of TCP to each of the others
-            "either a firewall or the network drops packets of open TCP connections from and to",
+            "either a firewall or the network drops packets of open TCP connections to and from",
             "10.77.0.3 to 10.77.0.1 (57 bytes, first sent after 0.0 s)",
             "While packets vanish, `ping` the others from 10.77.0.3",
         ),

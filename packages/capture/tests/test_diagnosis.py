@@ -300,7 +300,7 @@ def test_the_first_seconds_of_a_sick_fleet_are_not_called_healthy(
 def test_an_empty_capture_says_so(tmp_path: Path) -> None:
     diagnosis = rewritten(tmp_path, "fast_dds", lambda _: []).diagnosis()
     said, what_to_do = diagnosis.summary().split(". ", 1)
-    assert said == "The capture shows no discovery of DDS or Zenoh"
+    assert said == "The capture shows no DDS or Zenoh discovery"
     assert what_to_do.startswith("Record on the interface that the robots use")
     assert (diagnosis.healthy, diagnosis.complete, diagnosis.over) == (None, None, None)
 

@@ -35,7 +35,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         ),
         (
             "humble_beside_jazzy",
-            "10.77.0.3 runs a ROS 2 distribution before Iron, and other hosts a later one",
+            "10.77.0.3 runs a ROS 2 distribution older than Iron, and other hosts run Iron",
             "10.77.0.1 and 10.77.0.2 announced type hashes",
             "Run one ROS 2 distribution on all hosts",
         ),
@@ -65,7 +65,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         ),
         (
             "no_way_back",
-            "calls from 10.78.0.3 reach the server or router, but the answers do not come back",
+            "connection attempts from 10.78.0.3 reach the server or router, but the replies",
             "10.78.0.3 called 10.77.0.101 3 times at port 7447",
             "add a route back to the network of 10.78.0.3",
         ),

@@ -558,7 +558,7 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
         ),
         (
             "weak_wifi",  # 30% of the packets to and from host 3 are dropped
-            "complete, but not healthy: many frames from and to 10.77.0.3 are lost",
+            "complete, but not healthy: many frames to and from 10.77.0.3 are lost",
             "100% of the repeated frames were from or to 10.77.0.3, about 21% of its 248 frames",
             "Check the radio link of 10.77.0.3",
         ),

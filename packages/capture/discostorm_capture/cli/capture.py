@@ -173,7 +173,7 @@ def _print_fleet_and_messages(
         noun = "endpoint" if group.endpoints == 1 else "endpoints"
         click.echo(f"hosts: {hosts} with {each} of {endpoints} {noun} each{wired}")
     if not rows:
-        click.echo("The capture shows no discovery of RTPS or Zenoh.")
+        click.echo("The capture shows no RTPS or Zenoh discovery.")
         return
     shown = [{key: row[key] for key in row if key != "protocol"} for row in rows]
     count = _format_or_empty("{:,.0f}")

@@ -204,7 +204,7 @@ class Diagnosis:
             return f"Discovery is not complete: {lacking} have not discovered each other fully."
         if self.complete is None:
             if not len(self._hosts):
-                return "The capture shows no discovery of DDS or Zenoh."
+                return "The capture shows no DDS or Zenoh discovery."
             return f"The capture does not show whether discovery is complete ({count})."
         state = "complete and over" if self.over else "complete, but announcements go on"
         if self.healthy:

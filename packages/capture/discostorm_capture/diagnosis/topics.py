@@ -57,7 +57,7 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
         begins, ends_at = (times[rows["index"]] for times in evidence.obs.first_last)
         at_once = begins.max() < ends_at.min()
         if use in FINDINGS_BY_USE and len(by := rows["host"].unique()) > 1 and at_once:
-            text = f"{ros_topic(str(topic))} is written by {join_names(by)}"
+            text = f"{join_names(by)} publish {ros_topic(str(topic))}"
             yield Finding(FINDINGS_BY_USE[use], tuple(by), text)
 
 
