@@ -12,16 +12,8 @@ from discostorm_capture._types import Array, Bytes, Columns
 EVENT_KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
-    *(
-        "time stamp",
-        "parts missing",
-        "other traffic",
-        "MAC",
-        "prohibited",
-        "jitter",
-        "incomplete",
-        "unknown name",
-    ),
+    *("time stamp", "parts missing", "other traffic", "MAC", "prohibited"),
+    *("jitter", "incomplete", "unknown name"),
 )
 _ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
 _HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED = range(6, 11)

@@ -150,7 +150,9 @@ class Presence:
     def summary(self, begin: float) -> str:
         """Summarize how many hosts are present, and which of them request messages again."""
         there = {host: activity for host, activity in self.hosts.items() if not activity.is_silent}
-        text = f"Robots already ran when we began: {wording.count_noun(len(there), 'host')}"
+        text = (
+            f"Robots were running already when we began: {wording.count_noun(len(there), 'host')}"
+        )
         if self.now - begin < (first := LIMITS.baseline_time):
             return f"{text} so far. The first {first:.0f} s show how often each one sends."
         since = self.now - LIMITS.recent

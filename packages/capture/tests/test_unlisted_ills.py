@@ -382,6 +382,11 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
             "Nothing to do if you restarted it on purpose",
         ),
         (
+            "healthy_domains_on_one_router",  # two teams of three hosts
+            "The hosts form fleets in different domains, which do not discover each other",
+            "If all hosts should discover each other, set the same ROS_DOMAIN_ID",
+        ),
+        (
             "access_point_restarts",
             "10.77.0.1, 10.77.0.2 and 10.77.0.3 lost the connection at the same time and came back",
             "Look at the access point, and at the cable or switch behind it",
@@ -772,6 +777,17 @@ def test_events_of_a_computer_are_told_apart_from_those_of_a_process(
     assert found.summary().startswith(summary)
     assert advice in found.summary()
     assert not found.wrong
+
+
+def test_several_hosts_with_weak_links_are_named() -> None:
+    (found,) = diagnosis("two_weak_links").wrong
+    assert (found.kind, found.hosts) == ("weak link", ("10.77.0.3", "10.77.0.4"))
+
+
+def test_participants_that_pile_up_are_no_storm() -> None:
+    (found,) = diagnosis("participants_pile_up").wrong
+    assert (found.kind, found.hosts) == ("processes pile up", ("10.77.0.2",))
+    assert "Create one and reuse it" in found.advice
 
 
 def test_where_all_hosts_lose_alike_the_channel_is_the_cause() -> None:

@@ -120,9 +120,8 @@ def test_beside_running_robots_it_learns_who_speaks_and_names_who_stops() -> Non
     seconds = each_second(BESIDE)
     said = {int(when): text for when, text, _, _ in seconds}
     assert said[5].endswith("The first 10 s show how often each one sends.")
-    healthy = (
-        "Robots already ran when we began: 3 hosts, no host is silent, and none asks for repeats."
-    )
+    healthy = "Robots were running already when we began: 3 hosts, no host is silent, "
+    healthy += "and none asks for repeats."
     assert {said[second] for second in range(11, 22)} == {healthy}
     first = min(when for when, _, kinds, _ in seconds if "silent" in kinds)
     assert 22.5 < first < 22.5 + 3 * 1.0  # in steps of more than a second

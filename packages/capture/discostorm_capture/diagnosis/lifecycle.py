@@ -104,6 +104,18 @@ def slower_processes(evidence: Evidence) -> Iterator[Finding]:
             yield Finding.of("slows down", (str(host),), before, third, after, named)
 
 
+def piling_processes(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts on which participants of DDS keep starting, and none of them ends."""
+    obs, begins = evidence.obs, evidence.obs.first_last[0]
+    alive = np.flatnonzero(obs.is_rtps & (evidence.endings == "") & np.isfinite(begins)).tolist()
+    for host, processes in obs.processes_by_host(alive).items():
+        starts = begins[[one for one in processes if one not in evidence.early_processes]]
+        thirds = np.linspace(starts.min(initial=obs.end), obs.end, 4)
+        counts = np.histogram(starts, thirds)[0] if thirds[0] < obs.end else np.zeros(3)
+        if counts.min() >= LIMITS.min_calls and np.ptp(starts) >= LIMITS.min_storm_time:
+            yield Finding.of("processes pile up", (host,), len(starts), np.ptp(starts))
+
+
 def paused_servers(evidence: Evidence) -> Iterator[Finding]:
     """Yield servers that answered nothing for a while, and Zenoh routers with TCP ACKs only."""
     obs = evidence.obs
