@@ -28,7 +28,7 @@ const FleetFile = (() => {
 
   /** Several access points in words, as discostorm_planner.multi_cell_plan has them. */
   function joined(cells) {
-    const all = names(cells);
+    const all = names(cells).map((name) => `"${name}"`);
     return `${all.slice(0, -1).join(", ")} and ${all.at(-1)}`;
   }
 

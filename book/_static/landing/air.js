@@ -1,4 +1,4 @@
-// Frames on the air, on the first page: the simulator's runs, played slower. Robots, tables and channels
+// The simulator's runs on the first page, played slower. Robots, tables and channels
 // are the package's, from the data on the page (discostorm_book.landing).
 "use strict";
 
@@ -9,8 +9,7 @@
   const reduced = matchMedia("(prefers-reduced-motion: reduce)").matches;
 
   const [STEPS, LOOKS] = [60, 50]; // of the simulator between two looks at the queue; looks in a share
-  // How long a frame takes across the view, how far a moment has come when it is held, for how long it
-  // is, and until the show begins anew [s].
+  // Until a frame crossed the view, a moment is held, goes on, and the show begins anew [s].
   const [VIEW, LEAD, HOLD, REST] = [2, 0.7, 4, 4];
   const FULL = 0.97; // of the queue
 
@@ -29,7 +28,7 @@
   let asked = 0; // so that a late answer to an earlier question is dropped
   let seed = 0;
   let [time, playing, seen, last, told] = [0, !reduced, true, null, -1];
-  let [moments, next, held] = [[], 0, 0]; // of a single run; the next one, and how long one is still held [s]
+  let [moments, next, held] = [[], 0, 0]; // of a single run; the next, and how long one is still held [s]
   let [slow, pending, skipping, skipped, finished] = Array(5).fill(false);
 
   // ---- runs ----
@@ -200,11 +199,11 @@
     const to = Math.min(clock.length, time * clock.rate);
     const from = whole ? 0 : to - VIEW * clock.rate;
     runs.forEach((run, i) => sets[i].draw(run, from, to, theme, stage ? [] : moments));
-    // Ten times a second is enough to read.
+    // Ten times a second is enough.
     if (Math.floor(time * 10) === told) return;
     told = Math.floor(time * 10);
     runs.forEach((run, i) => (sets[i].told.textContent = tell(run, to)));
-    const past = whole ? -1 : moments.findLastIndex((moment) => moment && moment.time <= to);
+    const past = whole ? -1 : moments.findLastIndex((one, i) => one && heldAt(i) <= time);
     const now = stage ? marked.length - 1 : past;
     marked.forEach((button, i) => button.setAttribute("aria-pressed", i === now));
   }
