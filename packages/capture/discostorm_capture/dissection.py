@@ -69,8 +69,6 @@ class Recording:
     packets_without_messages: dict[str, int]
     #: Text on each kind of data that the file itself shows to be missing.
     gaps: tuple[str, ...]
-    #: Number of IP datagrams of which fragments are missing.
-    incomplete_datagrams: int = 0
     #: Share of multicast messages that are duplicates [1].
     duplicate_multicast_share: float = 0.0
 

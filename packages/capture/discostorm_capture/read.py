@@ -88,7 +88,6 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         packets_without_messages=carried.packets | without,
         # A single one may be cut by the end of the capture.
         gaps=tuple(f"{count} {gap}" for gap, count in cut.items() if count > 1),
-        incomplete_datagrams=notes[transport.MISSING_FRAGMENTS_NOTE],
         duplicate_multicast_share=float(copies.mean()) if len(table) else 0.0,
     )
     addresses = ip.format_addresses(carried.addresses)

@@ -67,12 +67,18 @@ def _acknowledged_until(table: Columns, first: Array, stream: Array, reverse: Ar
     """Return the position up to which the opposite stream acknowledges each stream."""
     acks = np.flatnonzero(table["flags"] & ACK > 0)
     of = reverse[stream[acks]]
-    step = table["acknowledges"][acks] - table["sequence"][first][of]
-    position = (step + (1 << 31)) % (1 << 32) - (1 << 31) - (table["flags"][first][of] & SYN > 0)
+    position = _acknowledged_positions(table, acks, first[of])
     until = np.full(len(first), -1, np.int64)
     np.maximum.at(until, of, position)
     until[reverse == np.arange(len(first))] = np.iinfo(np.int64).max
     return until
+
+
+def _acknowledged_positions(table: Columns, acks: Array, origin: Array) -> Array:
+    """Return the positions that rows acknowledge in streams with these first rows."""
+    step = table["acknowledges"][acks] - table["sequence"][origin]
+    position = (step + (1 << 31)) % (1 << 32) - (1 << 31) - (table["flags"][origin] & SYN > 0)
+    return np.asarray(position)
 
 
 def acknowledgement_delays(streams: Streams, since: Array) -> Iterator[tuple[int, Array]]:
@@ -86,9 +92,7 @@ def acknowledgement_delays(streams: Streams, since: Array) -> Iterator[tuple[int
         acks = np.arange(first[back], ends[back])
         acks = acks[(table["flags"][acks] & ACK > 0) & (first[back] != begin)]
         rows = np.arange(begin, end)[table["wire"][begin:end] > 0]
-        step = table["acknowledges"][acks] - table["sequence"][begin]
-        position = (step + (1 << 31)) % (1 << 32) - (1 << 31) - (table["flags"][begin] & SYN > 0)
-        until = np.maximum.accumulate(position)
+        until = np.maximum.accumulate(_acknowledged_positions(table, acks, begin))
         ack = np.searchsorted(until, (table["position"] + table["wire"])[rows])
         inside = ack < len(acks)
         if inside.any():

@@ -233,7 +233,8 @@ def isolated_hosts(evidence: Evidence) -> Iterator[Finding]:
             texts.append(say("isolated", target, counts, common))
             hosts |= dict.fromkeys((target, *asks))
     if texts:
-        more = f"; likewise for {len(texts) - 1} other hosts" if len(texts) > 1 else ""
+        rest = wording.count_noun(len(texts) - 1, "other host")
+        more = f"; likewise for {rest}" if len(texts) > 1 else ""
         yield Finding("client isolation", tuple(hosts), texts[0] + more)
 
 
@@ -345,9 +346,9 @@ def power_saving(evidence: Evidence) -> Iterator[Finding]:
 def held_back_packets(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that pause again and again, and then send all samples of the pause at once."""
     obs = evidence.obs
-    for process, host in enumerate(obs.process_host):
-        sent = np.unique(obs.time[obs["user"].astype(bool) & (obs.sender_index == process)])
-        if len(sent) < LIMITS.min_messages:
+    for (process,), rows in obs.rows_by(obs["user"].astype(bool), obs.sender_index).items():
+        sent = np.unique(obs.time[rows])
+        if process < 0 or len(sent) < LIMITS.min_messages:
             continue
         pauses, rate = np.diff(sent), len(sent) / np.ptp(sent)
         usual = float(np.median([*np.diff(_burst_times(sent)), np.inf]))
@@ -357,7 +358,9 @@ def held_back_packets(evidence: Evidence) -> Iterator[Finding]:
         long = long[burst >= np.maximum(LIMITS.min_messages, pauses[long] * rate / 2)]
         if len(long) >= LIMITS.min_calls:
             spans = pauses[long]
-            yield Finding.of("held back", (host,), len(long), spans.min(), spans.max())
+            yield Finding.of(
+                "held back", obs.hosts_of([process]), len(long), spans.min(), spans.max()
+            )
 
 
 def _burst_times(times: Array) -> Array:

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
+from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.losses import find_losses
@@ -76,20 +77,22 @@ def _was_off(obs: Observations, host: str, stop: float, start: float) -> Finding
 def slower_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with a process of DDS whose samples all get rarer than at first."""
     obs = evidence.obs
-    for process, host in enumerate(obs.process_host):
+    samples = obs["user"].astype(bool) & ~obs.isin("submessage", "ACKNACK", "HEARTBEAT")
+    by_writer: dict[int, dict[int, Array]] = {}
+    for (process, writer), of in obs.rows_by(samples, obs.sender_index, obs["writer"]).items():
+        new = np.unique(obs.seq[of], return_index=True)[1]  # once for all readers
+        by_writer.setdefault(process, {})[writer] = obs.time[of[new]]
+    steady = [
+        one for one in by_writer if one >= 0 and obs.is_rtps[one] and not evidence.endings[one]
+    ]
+    for process in steady:
         begin, end = (times[process] for times in obs.first_last)
-        rows = obs["user"].astype(bool) & (obs.sender_index == process)
-        rows &= ~obs.isin("submessage", "ACKNACK", "HEARTBEAT")
         begin += LIMITS.startup_time
         third = (min(end, obs.end) - begin) / 3
         away = np.diff(obs.time[obs.sender_index == process]).max(initial=0.0) > LIMITS.timeout
-        if third < LIMITS.timeout or evidence.endings[process] or away or not obs.is_rtps[process]:
+        if third < LIMITS.timeout or away:
             continue
-        by_writer = obs.rows_by(rows, obs["writer"])
-        flows = [
-            obs.time[of[np.unique(obs.seq[of], return_index=True)[1]]]  # once for all readers
-            for of in by_writer.values()
-        ]
+        flows = by_writer[process].values()
         at = begin, begin + third, end - third, end
         counts = [np.searchsorted(np.sort(times), at) for times in flows]
         rates = np.array([(b - a, d - c) for a, b, c, d in counts]).reshape(-1, 2)
@@ -98,10 +101,10 @@ def slower_processes(evidence: Evidence) -> Iterator[Finding]:
         if len(rates) and slower.all() and (rates[:, 1] > 0).all():
             before, after = rates.sum(axis=0) / third
             ends = evidence.endpoints[evidence.endpoints["index"] == process]
-            ends = ends[ends["entity"].isin([writer for (writer,) in by_writer])]
+            ends = ends[ends["entity"].isin([*by_writer[process]])]
             topics = sorted(ros_topic(of) for of in {*ends["topic"]} if "/" in of)
             named = f" (on {join_names(topics)})" if topics else ""
-            yield Finding.of("slows down", (str(host),), before, third, after, named)
+            yield Finding.of("slows down", obs.hosts_of([process]), before, third, after, named)
 
 
 def piling_processes(evidence: Evidence) -> Iterator[Finding]:
@@ -192,7 +195,7 @@ def outages(evidence: Evidence) -> Iterator[Finding]:
     text = "; ".join(f"{of} sent nothing {join_names(spans)}" for of, spans in away_hosts.items())
     if away_hosts:
         kind = "outages" if len(away_hosts) == 1 else "network outage"
-        yield Finding.of(kind, tuple(away_hosts), text)
+        yield Finding(kind, tuple(away_hosts), say("outages", text))
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:

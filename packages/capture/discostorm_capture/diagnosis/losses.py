@@ -135,7 +135,7 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
             return
         kind = "channel loss" if many and alike and not heavy else kind
     loss = Finding(kind, (), text)
-    broken = evidence.obs.recording.incomplete_datagrams >= LIMITS.min_repeats
+    broken = len(evidence.obs.events("incomplete")) >= LIMITS.min_repeats
     crowded = _crowded_link(evidence.obs, text)
     # Little loss is a sign, too, if the host that loses frames is the one that sends so much.
     serious = loss.about == "fleet" or broken or (crowded and crowded.hosts == (host,))

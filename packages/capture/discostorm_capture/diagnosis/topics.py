@@ -207,7 +207,7 @@ def missed_samples(evidence: Evidence) -> Iterator[Finding]:
 
 
 def silent_services(evidence: Evidence) -> Iterator[Finding]:
-    """Yield servers that get requests of a service again and again, but never reply."""
+    """Yield servers of DDS that get requests again and again, but never reply, or only late."""
     obs, texts = evidence.obs, dict[str, list[str]]()
     ends = _endpoints_by_service(evidence)
     for service in sorted({service for service, *_ in ends}):
@@ -230,6 +230,11 @@ def silent_services(evidence: Evidence) -> Iterator[Finding]:
             texts.setdefault(host, []).append(say("no reply", service, by, len(asks), host))
     for host, said in texts.items():
         yield Finding("no reply", (host,), "; ".join(said))
+
+
+def silent_zenoh_services(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts whose Zenoh process replies to no request, or by errors."""
+    obs = evidence.obs
     zenoh = evidence.endpoints[~obs.is_rtps[evidence.endpoints["index"]]]
     asked = zenoh["topic"].astype(str).str.startswith("rq/")
     served = zenoh[asked & ~zenoh["writer"].astype(bool)]

@@ -252,7 +252,7 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     obs, large = evidence.obs, {}
     for pair, (arrived, lost) in _packet_sizes(evidence).items():
         # Fragments that were captured at their receiver have arrived.
-        whole = obs.recording.incomplete_datagrams and obs.vantage_host == pair[1]
+        whole = len(obs.events("incomplete")) and obs.vantage_host == pair[1]
         passed_size = max(max(arrived, default=0), LARGE_PACKET)
         if len(lost) >= SEGMENT_LOSS[0] and min(lost) > passed_size and not whole:
             large[pair] = max(arrived, default=0), min(lost), len(lost)
