@@ -33,8 +33,8 @@ ARCHIVE_CONTENTS = {
     "LICENSE": "LICENSE",
     "LICENSE-CC-BY-4.0.txt": "LICENSE-CC-BY-4.0.txt",
 }
-#: Leftovers of tools.
-EXCLUDED_NAMES = {".buildinfo", ".ipynb_checkpoints", "__pycache__", "ruff.toml"}
+#: Leftovers of tools; hidden folders, in which tools keep what they have seen, are left out, too.
+EXCLUDED_NAMES = {".buildinfo", "__pycache__", "ruff.toml"}
 
 
 def ro_crate(contents: Mapping[str, bytes], version: str) -> str:
@@ -74,6 +74,13 @@ def ro_crate(contents: Mapping[str, bytes], version: str) -> str:
     return json.dumps(graph, indent=1, ensure_ascii=False) + "\n"
 
 
+def is_leftover(path: Path) -> bool:
+    """Return whether a path, relative to a packed folder, is what a tool has left there."""
+    return bool(EXCLUDED_NAMES & set(path.parts)) or any(
+        part.startswith(".") for part in path.parts[:-1]
+    )
+
+
 def collect_files() -> dict[str, bytes]:
     """Return the name and content of each file in the archive, checksums last."""
     found: dict[str, bytes] = {}
@@ -82,7 +89,7 @@ def collect_files() -> dict[str, bytes]:
         if not path.exists():
             raise SystemExit(f"make_release: {source} is missing: run `make release`")
         for file in [path] if path.is_file() else sorted(path.rglob("*")):
-            if file.is_file() and not EXCLUDED_NAMES & set(file.parts):
+            if file.is_file() and not is_leftover(file.relative_to(path)):
                 name = (Path(target) / file.relative_to(path)).as_posix()
                 found[name.removesuffix("/.")] = file.read_bytes()
     found["ro-crate-metadata.json"] = ro_crate(found, metadata("discostorm")["Version"]).encode()

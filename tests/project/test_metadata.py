@@ -13,7 +13,7 @@ import pytest
 import yaml
 from check_distributions import console_examples
 from click.testing import CliRunner
-from make_release import ARCHIVE_CONTENTS, ro_crate
+from make_release import ARCHIVE_CONTENTS, is_leftover, ro_crate
 from support import ROOT
 from write_metadata import PROJECTS, generated_files
 
@@ -128,3 +128,20 @@ def test_the_release_says_what_it_holds_with_checksums() -> None:
         name: hashlib.sha256(data).hexdigest() for name, data in contents.items()
     }
     assert "identifier" not in root
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("01_who_tells_whom.ipynb", False),
+        (".nojekyll", False),
+        ("_static/fonts/a.woff2", False),
+        (".ruff_cache/0.17.5/1", True),
+        (".ipynb_checkpoints/a.ipynb", True),
+        ("ledger/__pycache__/a.pyc", True),
+        (".buildinfo", True),
+    ],
+)
+def test_archive_has_no_leftovers_of_tools(name: str, expected: bool) -> None:
+    # Their content changes with each run: two releases of one commit would differ.
+    assert is_leftover(Path(name)) is expected
