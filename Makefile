@@ -26,8 +26,8 @@ override export BASE := $(value BASE)
 override export SOURCES := $(value SOURCES)
 override export MIRROR := $(value MIRROR)
 BUILD = $(BIN)/python scripts/check_loopback.py && $(BIN)/jupyter-book build . -W --keep-going -n
-TO_LATEX = sh scripts/checks/check_latex.sh && rm -rf _build/latex _build/.doctrees _build/run_times.csv && \
-	$(BUILD) --builder latex && echo "Running LaTeX ..."
+TO_LATEX = sh scripts/checks/check_latex.sh && rm -rf _build/latex _build/.doctrees _build/run_times.csv \
+	build/discostorm.pdf build/cheat_sheet.pdf && $(BUILD) --builder latex && echo "Running LaTeX ..."
 LATEX = cd _build/latex && for name in discostorm cheat_sheet; do \
 	SOURCE_DATE_EPOCH=$(EPOCH) FORCE_SOURCE_DATE=1 latexmk -xelatex -halt-on-error \
 	-interaction=nonstopmode -quiet $$name.tex >$$name.latexmk 2>&1 \

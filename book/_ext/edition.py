@@ -2,7 +2,9 @@
 
 import subprocess
 from os import PathLike
+from pathlib import Path
 
+import yaml  # type: ignore[import-untyped]
 from sphinx.application import Sphinx
 from sphinx.config import Config
 
@@ -26,6 +28,9 @@ def _set_release(app: Sphinx, config: Config) -> None:
     config.version = discostorm.__version__
     config.release = f"{discostorm.__version__} ({commit})" if commit else config.version
     config.latex_elements["releasename"] = "Version"
+    # The title page would name the day of the build.
+    citation = yaml.safe_load(Path(app.srcdir, "CITATION.cff").read_text(encoding="utf-8"))
+    config.today = f"{citation['date-released']:%B %-d, %Y}"
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

@@ -62,6 +62,12 @@ def test_pages_are_a4_and_none_is_blank(pdf: PdfReader, text: list[str]) -> None
     assert bare == [0]  # the title page
 
 
+def test_the_title_page_has_the_date_of_the_release_not_of_the_build(text: list[str]) -> None:
+    released = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))["date-released"]
+    day = released.strftime("%B %d, %Y").replace(" 0", " ")
+    assert day in " ".join(text[0].split())
+
+
 def test_each_part_begins_on_the_page_of_its_first_chapter(text: list[str]) -> None:
     parts = [match[1] for words in text if (match := re.match(r"Part [IV]+: (.+)\n", words))]
     contents = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))["parts"]
