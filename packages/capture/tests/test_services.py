@@ -60,7 +60,7 @@ def test_a_request_before_the_reader_of_its_reply_is_named(reader_at: tuple[floa
     (finding,) = diagnosis.wrong
     assert (finding.kind, finding.hosts) == ("early requests", ("10.0.0.1", "10.0.0.2"))
     assert finding.evidence == (
-        "/amcl/get_state (service): 10.0.0.1 called 10.0.0.2 after 1.0 s, but announced its "
+        "/amcl/get_state (service): 10.0.0.1 called 10.0.0.2 at 1.0 s, but announced its "
         "reply reader only 0.5 s later; 1 request got no reply"
     )
     assert diagnosis.summary().startswith("Discovery is complete, but not healthy: ")

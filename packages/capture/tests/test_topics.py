@@ -96,7 +96,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "clock_steps_back",
             "the clock of 10.77.0.3 was set back while nodes ran there",
-            "he timestamps in samples of 10.77.0.3 went back by 30.0 s after 10.6 s",
+            "he timestamps in samples of 10.77.0.3 went back by 30.0 s at 10.6 s",
             "make chrony adjust it slowly",
         ),
         (

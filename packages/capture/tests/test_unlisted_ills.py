@@ -6,6 +6,7 @@ what the server sends or gets. Hosts are
 10.77.0.1 to 10.77.0.4, servers and routers 10.77.0.101 and 10.77.0.102.
 """
 
+import lzma
 from dataclasses import replace
 from pathlib import Path
 
@@ -191,7 +192,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "pruned_peer",  # the other host had given up before
             "10.77.0.2 neither searches for the other hosts by multicast nor lists them as peers",
-            "10.77.0.2 started after 43.3 s, and since then 10.77.0.1 has sent nothing to it",
+            "10.77.0.2 started at 43.3 s, and since then 10.77.0.1 has sent nothing to it",
             "add 10.77.0.2 to the peers of the other hosts",
         ),
         (
@@ -670,6 +671,16 @@ def test_a_sample_that_is_sent_again_does_not_set_the_clock_back() -> None:
     old = events.loc[times, "port"].iloc[0] + 5400 - 60
     repeats = events.assign(port=events["port"].where(~times, old))
     assert replace(capture, _network_events=repeats).diagnosis().findings == ()
+
+
+def test_appended_files_do_not_set_the_clocks_of_hosts_back(tmp_path: Path) -> None:
+    names = ("lease_never_ends", "humble_beside_jazzy")  # the second was recorded first
+    later, earlier = (lzma.decompress((STAGED / f"{n}.pcap.xz").read_bytes()) for n in names)
+    path = tmp_path / "both.pcap"
+    path.write_bytes(later + earlier[24:])
+    kinds = {finding.kind for finding in ds.read_capture(path).diagnosis().findings}
+    assert "clock back" in kinds
+    assert not kinds & {"clock steps", "clock differs"}
 
 
 @pytest.mark.parametrize(
