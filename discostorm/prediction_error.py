@@ -74,8 +74,8 @@ class ErrorBand:
 
     def sentence(self) -> str:
         """Return the error as a sentence, to follow one about the captures."""
-        where = {1.0: "within these sizes", 2.0: "of up to twice these sizes"}.get(
-            self.up_to, f"with up to {self.most_endpoints:.0f} times the endpoints"
+        where = {1.0: "of up to these sizes", 2.0: "of up to twice these sizes"}.get(
+            self.up_to, f"with up to {self.most_endpoints:.0f} times as many endpoints"
         )
         inside = f"We expect {self.coverage or 0:.0%} of such swarms to be in this range"
         more = inside if self.coverage else "These are too few swarms for a confidence interval"

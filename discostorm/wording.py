@@ -10,8 +10,7 @@ HUGE = 1e6
 LONE_HOST_NOTE = "A single host has no one to discover, and no other host receives its messages."
 ALL_WIRED_NOTE = "All hosts are wired; discovery needs no airtime."
 AGGREGATION_NOTE = (
-    "This radio aggregates frames, so the real airtime lies between those for single frames and "
-    "for full A-MPDUs."
+    "This radio aggregates frames: real airtime lies between single frames and full A-MPDUs."
 )
 #: The tcpdump command that captures all discovery traffic; the chapter on captures explains it.
 TCPDUMP = "tcpdump -i wlan0 -s 0 -w {file} 'udp or ip6 or (tcp and not port 22)'"

@@ -35,7 +35,7 @@ def figures(out: str, output: Output) -> None:
         try:
             path = next(files, None)
         except OSError as error:
-            message = f"--out must be a folder to write to; got {_checks.shorten_name(out)!r}"
+            message = f"--out must be a writable folder; got {_checks.shorten_name(out)!r}"
             raise BadInput(visible(f"{message}: {error.strerror}")) from error
         if path is None:
             break

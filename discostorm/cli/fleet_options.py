@@ -21,7 +21,7 @@ from discostorm.wifi.radio import TOPOLOGY, aggregation_bounds
 
 _MATCHING_RULE = (
     "Measured models depend on how many endpoints match. We count ROS 2's own topics as shared by "
-    "all processes, unless a fleet file sets `shared` (0 without ROS 2)."
+    "all processes, unless a fleet file sets `shared` (use 0 without ROS 2)."
 )
 #: Maximum number of tables whose error is printed.
 _MAX_PRINTED_ERRORS = 3

@@ -118,7 +118,7 @@ def _refuse_repeated_options(ctx: click.Context, args: list[str]) -> None:
 @click.group(
     cls=Commands,
     context_settings={"help_option_names": ["-h", "--help"]},
-    epilog="Exit codes: 0 success, 1 interrupted or output not written, 2 wrong usage or input.",
+    epilog="Exit codes: 0 success, 1 interrupted or output not written, 2 invalid usage or input.",
 )
 @click.version_option(ds.__version__, message="%(prog)s %(version)s")
 def main() -> None:

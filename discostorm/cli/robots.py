@@ -20,8 +20,7 @@ COLUMNS = (
 def robots(output: Output) -> None:
     """List the ready-made robots and the operator's laptop, for --robot and fleet files.
 
-    Endpoints are the mean over a robot's processes. The numbers are printed in the paper, counted
-    in source code, or estimated; CSV and JSON have the source of each part.
+    Endpoint counts are means over a robot's processes. CSV and JSON name the source of each number.
 
     \b
     Examples:

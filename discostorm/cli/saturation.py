@@ -93,11 +93,11 @@ def saturation(
     wifi: Wifi,
     output: Output,
 ) -> None:
-    """Compute how many identical hosts fill the channel with discovery.
+    """Compute how many identical hosts fill the channel with discovery traffic.
 
     With a fleet file, FLEET, the command varies one group at a time and keeps the others fixed. If
     the file has [[cells]], each row says how many hosts of a group fill the channel of one cell,
-    which need not be its own. With --hosts, the command says whether that many hosts fit.
+    which need not be the group's own. With --hosts, the command says whether that many hosts fit.
 
     {matching}
 

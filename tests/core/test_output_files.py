@@ -152,7 +152,7 @@ def test_a_figure_that_cannot_be_written_is_told(
     monkeypatch.setattr("discostorm.figures.atomic_write", full)
     result = CliRunner().invoke(main, ["figures", "--out", "out"])
     assert result.exit_code == 2
-    assert "--out must be a folder to write to; got 'out': No space left" in result.stderr
+    assert "--out must be a writable folder; got 'out': No space left" in result.stderr
     assert not list((folder / "out").iterdir())
 
 

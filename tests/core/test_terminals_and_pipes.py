@@ -198,7 +198,7 @@ def test_a_dumb_terminal_gets_no_progress(
 
 def test_exit_codes_are_told() -> None:
     words = " ".join(run("--help").output.split())
-    assert "Exit codes: 0 success, 1 interrupted or output not written, 2 wrong usage" in words
+    assert "Exit codes: 0 success, 1 interrupted or output not written, 2 invalid usage" in words
 
 
 def test_a_full_disk_is_told_without_a_traceback() -> None:

@@ -19,12 +19,12 @@ def fleet(groups: int) -> ds.Fleet:
 
 def test_of_many_groups_the_five_that_matter_are_named() -> None:
     plan = ds.plan(fleet(12))
-    assert plan.why().count('- Traffic from or to "g') == 5
-    assert "- Traffic from or to 7 other groups: at most" in plan.why()
+    assert plan.why().count('- Traffic to or from "g') == 5
+    assert "- Traffic to or from 7 other groups: at most" in plan.why()
     shares = [share.share for share in plan.shares_of_kind("group")]
     assert len(shares) == 12
     assert all(one >= another for one, another in pairwise(shares))
-    assert "- Traffic from or to 1 other group: at most" in ds.plan(fleet(6)).why()
+    assert "- Traffic to or from 1 other group: at most" in ds.plan(fleet(6)).why()
     assert "other group" not in ds.plan(fleet(5)).why()
 
 

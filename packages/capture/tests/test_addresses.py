@@ -26,13 +26,13 @@ def diagnosis(name: str) -> Diagnosis:
         (
             "duplicate_address",
             ("10.77.0.2",),
-            "packets of 10.77.0.2 come from the MAC addresses 02:70:e3:74:4c:e8 and "
+            "packets of 10.77.0.2 come from several MAC addresses: 02:70:e3:74:4c:e8 and "
             "d2:40:a8:8f:03:84",
         ),
         (
             "duplicate_zenoh_id",
             ("10.77.0.2", "10.77.0.1"),
-            "10.77.0.2 and 10.77.0.1 announce the same id, a1b2",
+            "10.77.0.2 and 10.77.0.1 announce the same ID, a1b2",
         ),
         (
             "different_middleware",

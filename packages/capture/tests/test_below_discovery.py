@@ -37,13 +37,13 @@ def diagnosis(name: str) -> Diagnosis:
     [
         (
             "wrong_netmask",
-            "10.77.0.2 does not answer ARP, because either the netmask or the route there is",
+            "10.77.0.2 does not answer ARP requests, because its netmask or route is wrong",
             "10.77.0.3 sent 12 ARP requests for 10.77.0.2 and got no answer",
             "On 10.77.0.2, compare `ip address`",
         ),
         (
             "wrong_gateway",
-            "10.77.0.130 does not answer ARP, because either the netmask or the route there is",
+            "10.77.0.130 does not answer ARP requests, because its netmask or route is wrong",
             "10.77.0.130 sent 9 ARP requests for 10.77.0.129 and got no answer",
             "On 10.77.0.130, compare `ip address`",
         ),
@@ -58,18 +58,18 @@ def diagnosis(name: str) -> Diagnosis:
             "smaller_mtu",  # the bridge dropped packets of more than 1,280 bytes
             "large packets between 10.77.0.2 and 10.77.0.3 vanish",
             "packets of up to 1,264 bytes arrive, but none of 1,284 bytes or more",
-            "Find the largest packet that passes",
+            "Find the largest packet that gets through",
         ),
         (
             "zenoh_black_hole",  # after 700 bytes of TCP to each of the others
             "either a firewall or the network drops packets of open TCP connections to and from",
-            "10.77.0.3 to 10.77.0.1 (57 bytes, first sent after 0.0 s)",
-            "While packets vanish, `ping` the others from 10.77.0.3",
+            "10.77.0.3 to 10.77.0.1 (57 bytes, first sent at 0.0 s)",
+            "While packets vanish, `ping` the other hosts from 10.77.0.3",
         ),
         (
             "zenoh_wrong_port",
             "10.77.0.3 uses the wrong port or transport for the server or router",
-            "10.77.0.3 asked 10.77.0.1 at port 7448 (4 times refused), but port 7447 answers there",
+            "10.77.0.3 tried port 7448 on 10.77.0.1 (refused 4 times), but port 7447 answers there",
             "On 10.77.0.3, correct the port and the transport",
         ),
     ],
@@ -111,7 +111,7 @@ def test_a_discovery_server_on_another_port_is_named_with_both_ports() -> None:
     found = ds.read_capture(io.BytesIO(handmade.pcap(sorted(packets)))).diagnosis()
     first = found.findings[0]
     assert (first.kind, first.hosts) == ("wrong port", ("10.77.0.3",))
-    assert first.evidence.startswith("10.77.0.3 asked 10.77.0.101 at port 11812 (")
+    assert first.evidence.startswith("10.77.0.3 tried port 11812 on 10.77.0.101 (")
     assert " messages from 1 host got no answer" in first.evidence
     assert first.evidence.endswith(", but port 11811 answers there")
 

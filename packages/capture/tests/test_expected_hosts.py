@@ -45,7 +45,7 @@ def test_with_a_number_the_present_ones_are_named() -> None:
 @pytest.mark.parametrize(
     ("expected", "message"),
     [
-        (0, "expected must be a whole number of at least 1"),
+        (0, "expected must be a whole number from 1"),
         (("10.0.0.256",), "IP addresses such as 10.0.0.5; got '10.0.0.256'"),
         (("10.0.0.5", "10.0.0.5"), "must have distinct addresses; got '10.0.0.5' twice"),
     ],
@@ -83,7 +83,7 @@ def test_in_real_fleets_the_missing_hosts_are_named(name: str, tmp_path: Path) -
     missing = [one for one in named["findings"] if one["kind"].startswith("missing")]
     assert [one["hosts"] for one in missing] == [absent]
     # A host that sent other packets is on.
-    assert ("on and in the Wi-Fi" in missing[0]["advice"]) == (name != "localhost_only")
+    assert ("on and connected to the Wi-Fi" in missing[0]["advice"]) == (name != "localhost_only")
     assert str(named["summary"]).startswith("Discovery is not healthy: " + join_words(absent))
     # A number or a fleet has no addresses: those that are there are named.
     fleet = tmp_path / "fleet.toml"
@@ -145,7 +145,7 @@ def test_a_number_a_list_and_a_fleet_file_say_who_is_expected(tmp_path: Path) ->
 def test_a_bad_list_is_refused() -> None:
     result = CliRunner().invoke(main, ["capture", str(HEALTHY), "--expect", "10.0.0.5,robot"])
     assert result.exit_code == 2
-    assert "must be a number of hosts or IP addresses" in result.output
+    assert "must be a number of hosts, or a list of IP addresses" in result.output
 
 
 def test_watch_names_the_missing_ones() -> None:

@@ -43,7 +43,7 @@ def test_qos_and_types_that_differ_are_told_topic_by_topic() -> None:
     )
     # What to change depends on the policy.
     advice = found["QoS differs"].advice
-    assert "Make the publisher transient local, as for a map that is sent once, or" in advice
+    assert "Make the publisher transient local (as for a map that is sent once), or" in advice
     assert "Make the publisher reliable, or the subscription best effort." in advice
     assert "order" not in advice
 
@@ -56,7 +56,7 @@ def test_dds_matches_two_definitions_of_a_type_by_its_name() -> None:
     ends = ends.assign(type=ends["type"].where(~rows, "std_msgs::msg::dds_::String_"))
     found = replace(capture, _endpoints=ends.assign(type_hash=hashes)).diagnosis().findings
     assert [finding.kind for finding in found] == ["definitions differ", "QoS differs"]
-    assert "so no data arrive" not in found[0].summary
+    assert "so no samples arrive" not in found[0].summary
 
 
 def test_endpoints_have_what_they_announced() -> None:

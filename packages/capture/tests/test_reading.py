@@ -528,7 +528,7 @@ def test_one_robots_view_is_told_with_whole_messages(tmp_path: Path) -> None:
         .output
         for name in ("mine", "all")
     )
-    seen = "Note: the capture shows only unicast from or to 10.77.0.1, so the airtime covers"
+    seen = "Note: the capture shows only unicast to or from 10.77.0.1, so the airtime covers"
     assert seen in mine
     assert "only unicast from" not in everybody
     table = [line.split() for line in everybody.splitlines() if re.search(r"\d\.\d{4}$", line)]
@@ -906,7 +906,7 @@ def test_packets_are_those_written_to_the_file(
     for place in (len(content) - 1, table["at"][400] + 9, len(content) // 2):
         path.write_bytes(content[:place])
         whole = sum(end <= place for end in ends)
-        with pytest.raises(CaptureError, match="truncated or broken") as error:
+        with pytest.raises(CaptureError, match="truncated or corrupt") as error:
             files.read_packets(path)
         # Where the header of the first that is not whole stands.
         assert f": byte {table['at'][whole] - header}: " in str(error.value)
@@ -978,11 +978,14 @@ NG = pcapng(packets("cyclone_dds_010"))
         (b"# a text file", "neither a pcap nor a pcapng file; it starts with 23 20 61 20"),
         (PLAIN[:20], "byte 20: it ends inside its header"),
         (PLAIN[:-1], "packet 69 is truncated"),
-        (PLAIN + b"x", "is truncated or broken"),
-        (PLAIN[:32] + b"\xff\xff\xff\x7f" + PLAIN[36:], "byte 24: packet 1 is truncated or broken"),
-        (NG[:-3], "is truncated or broken"),
+        (PLAIN + b"x", "is truncated or corrupt"),
+        (
+            PLAIN[:32] + b"\xff\xff\xff\x7f" + PLAIN[36:],
+            "byte 24: packet 1 is truncated or corrupt",
+        ),
+        (NG[:-3], "is truncated or corrupt"),
         (NG[:8] + bytes(4) + NG[12:], "byte 0: a section without a byte order"),
-        (NG[:4] + bytes(4) + NG[8:], "byte 0: a block of 0 bytes is truncated or broken"),
+        (NG[:4] + bytes(4) + NG[8:], "byte 0: a block of 0 bytes is truncated or corrupt"),
         (NG[:28] + NG[60:], "a packet of an undefined interface"),
         (gzip.compress(PLAIN)[:-9], "compressed data"),
         (lzma.compress(PLAIN)[:-9], "compressed data"),
@@ -1058,8 +1061,8 @@ def test_pppoe_is_read_and_other_types_are_noted(read: Read) -> None:
     ]
     # Of ARP and of PPP's echoes nothing is said: there is never anything in them.
     assert read(pcap(at(more))).notes == (
-        "3 frames of EtherType 0x8847, which is not read",
-        "1 frames of EtherType 0x890d, which is not read",
+        "3 frames of EtherType 0x8847, which we do not read",
+        "1 frames of EtherType 0x890d, which we do not read",
     )
     broken = [ethernet + b"\x08\0" + first + bytes(40) for first in (b"\x41", b"\x15", b"\x95")]
     assert read(pcap(at(broken))).notes == (

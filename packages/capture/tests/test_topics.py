@@ -23,13 +23,13 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
     [
         (
             "base_behind_the_computer",
-            "a server announces 10.78.0.3, but the other hosts have no route to its network",
+            "a server announces 10.78.0.3, but the other hosts have no route to this address",
             "others announced a process there, and 10.78.0.2 is in the same network",
             "Add a route to the network of 10.78.0.3",
         ),
         (
             "left_over_server",
-            "10.77.0.3 uses a different discovery method than the other hosts",
+            "10.77.0.3 uses a different discovery method (multicast, a list of",
             "Only multicast is used by 10.77.0.1 and 10.77.0.2",
             "the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
         ),
@@ -37,7 +37,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "humble_beside_jazzy",
             "10.77.0.3 runs a ROS 2 distribution older than Iron, and other hosts run Iron",
             "10.77.0.1 and 10.77.0.2 announced type hashes",
-            "Run one ROS 2 distribution on all hosts",
+            "Run the same ROS 2 distribution on all hosts",
         ),
         (
             "power_save",
@@ -54,31 +54,31 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "bridges_in_a_loop",
             "10.77.0.1 and 10.77.0.2 run bridges between DDS and Zenoh that also hear each other",
-            "they also sent these to each other",
+            "they also sent these samples to each other",
             "keep DDS within each host",
         ),
         (
             "docker_overlaps",
             "another network on 10.77.0.3, such as Docker's, overlaps",
-            "10.77.0.3 announces 10.77.0.3 and 10.77.0.126",
-            "give Docker another network",
+            "10.77.0.3 announces the addresses 10.77.0.3 and 10.77.0.126",
+            "give Docker a different network",
         ),
         (
             "no_way_back",
             "connection attempts from 10.78.0.3 reach the server or router, but the replies",
-            "10.78.0.3 called 10.77.0.101 3 times at port 7447",
+            "10.78.0.3 tried 3 times to connect to port 7447 on 10.77.0.101",
             "add a route back to the network of 10.78.0.3",
         ),
         (
             "isolation_with_server",
             "the access point keeps its clients apart",
-            "10.77.0.1 (60 samples, asked for 172 times)",
+            "10.77.0.1 (60 samples, requested 172 times)",
             "Turn client isolation (AP isolation) off",
         ),
         (
             "data_kept_in",
-            "10.77.0.3 sends no data, because a firewall there lets out only discovery",
-            "thers asked 10.77.0.3",
+            "10.77.0.3 sends no data, because a firewall there lets out only discovery traffic",
+            "ther hosts asked 10.77.0.3",
             "rules on outgoing packets",
         ),
         (
@@ -119,9 +119,9 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         ),
         (
             "server_crashes_again_and_again",
-            "a process on 10.77.0.101 starts again and again",
-            "A server on 10.77.0.101 started to number its participants from 1 again after 9.5 s",
-            "Look at the log of the process that restarts on 10.77.0.101",
+            "a process on 10.77.0.101 keeps restarting",
+            "A server on 10.77.0.101 began numbering its participants from 1 again at 9.5 s",
+            "Look at the log of the restarting process on 10.77.0.101",
         ),
         (
             "service_across_vendors",
@@ -139,12 +139,12 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "no_micro_ros_agent",
             "10.77.0.1 refuses packets",
             "to port 8888 (micro-ROS agent) of 10.77.0.1",
-            "Start the server, router or agent at 10.77.0.1",
+            "Start the server, router or agent on 10.77.0.1",
         ),
         (
             "router_hangs",
             "the router on 10.77.0.101 hangs",
-            "10.77.0.101 sent nothing but TCP acknowledgments after 8.4 s",
+            "10.77.0.101 sent nothing but TCP acknowledgments from 8.4 s on",
             "Restart the router at 10.77.0.101",
         ),
         (
@@ -179,7 +179,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         ),
         (
             "tools_are_no_super_client",
-            "10.77.0.3 shares no topic with the other hosts",
+            "10.77.0.3 shares no topics with the other hosts",
             "make them super clients",
         ),
         (
@@ -195,7 +195,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         (
             "router_denies_one",
             "10.77.0.3 gets no data, because either no other host uses its topics, or the router's",
-            "keys access_control of the router allows",
+            "key expressions the router's access_control allows",
         ),
         (
             "namespace_on_one",
@@ -214,7 +214,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         ),
         (
             "bag_beside_robot",
-            "10.77.0.1 and 10.77.0.2 write the same topics",
+            "10.77.0.1 and 10.77.0.2 publish the same topics",
             "plays a recording (`ros2 bag play`) or runs a simulation, stop it",
         ),
         (
@@ -224,7 +224,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         ),
         (
             "lease_never_ends",
-            "A process on 10.77.0.2 went silent without a goodbye, and its lease never ends",
+            "A process on 10.77.0.2 went silent without a goodbye, and its lease never expires",
             "Set a finite leaseDuration",
         ),
         (

@@ -264,8 +264,8 @@ def test_metrics_are_served() -> None:
     [
         (b"", "ended before any packet arrived"),
         (FAST[:10], "ended before any packet arrived"),
-        (bytes(100), "not a pcap: it starts with 00 00 00 00"),
-        (FAST[:-3], "it ended within a packet"),
+        (bytes(100), "not a pcap: it starts with the bytes 00 00 00 00"),
+        (FAST[:-3], "it ended in the middle of a packet"),
     ],
 )
 def test_a_pipe_that_is_none_or_ends_is_told(content: bytes, said: str) -> None:

@@ -49,8 +49,8 @@ def format_explanation(plan: Plan, width: int) -> str:
     rest = len(plan.remedies) + len(plan.combinations) - number
     basis += [
         "",
-        "`discostorm plan --paste NAME` prints the configuration of a change. `--json` lists all "
-        f"configurations, {wording.count_noun(rest, 'more change')}, and why we left out others.",
+        "`discostorm plan --paste NAME` prints the configuration for a change. `--json` lists all "
+        f"configurations, {wording.count_noun(rest, 'more change')}, and why the rest are missing.",
     ]
     table = configuration_table(plan.configurations, width)
     return "\n".join([_wrap_lines(lines, width), *table, _wrap_lines(basis, width)])
@@ -121,14 +121,13 @@ def _airtime_lines(plan: Plan) -> Iterator[str]:
     needs = f"{channel} of the channel" if steady else f"{airtime} of airtime"
     hosts = wording.count_noun(plan.fleet.hosts(), "host")
     processes = wording.count_noun(plan.fleet.processes(), "process", "es")
-    name = phrase(plan.protocol.name)
-    yield f"Discovery of {hosts} ({processes} in all) needs {needs} with {name}."
+    yield f"Discovery of {hosts} ({processes}) over {phrase(plan.protocol.name)} needs {needs}."
     fits = f"the fleet {plan.verdict}" if steady else f"discovery {plan.verdict}"
     load = wording.format_load(found.bounds[0], "", "the capacity").strip()
     time = "the steady state" if steady else _first_seconds(plan.window)
     yield f"Utilization in {time}: {_at_least(found)}{load}, so {fits}."
     if plan.reboot is not None:
-        robot = f' of group "{plan.reboot.group}"' if len(plan.fleet.groups) > 1 else ""
+        robot = f' in "{plan.reboot.group}"' if len(plan.fleet.groups) > 1 else ""
         low = wording.duration(plan.reboot.low)
         yield f"When one robot{robot} reboots, discovery needs at least {low} of airtime."
     exchanges = "full A-MPDUs" if found.differs else "one message per frame"
@@ -144,11 +143,11 @@ def _share_lines(plan: Plan) -> Iterator[str]:
         yield f"- {noun}: {largest.name} ({wording.format_share(largest.share)})."
     groups = plan.shares_of_kind("group")
     for group in groups[:_MAX_GROUPS] * (len(groups) > 1):
-        yield f'- Traffic from or to "{group.name}": {wording.format_share(group.share)}.'
+        yield f'- Traffic to or from "{group.name}": {wording.format_share(group.share)}.'
     if len(groups) > _MAX_GROUPS:
         rest, share = len(groups) - _MAX_GROUPS, wording.format_share(groups[_MAX_GROUPS].share)
         others = wording.count_noun(rest, "other group")
-        yield f"- Traffic from or to {others}: at most {share}{' each' * (rest > 1)}."
+        yield f"- Traffic to or from {others}: at most {share}{' each' * (rest > 1)}."
 
 
 def _basis_lines(plan: Plan) -> Iterator[str]:
@@ -167,7 +166,7 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
             yield plan.band.sentence()
         matched = Unit("matched endpoint").count(plan.fleet)
         share = wording.percent(matched / (ENDPOINT.count(plan.fleet) or 1))
-        yield f"In this fleet, {share} of the endpoints have a match in all other processes."
+        yield f"In this fleet, {share} of the endpoints have a match in every other process."
     if table.repeats:
         of_paper = {*DDS.messages, *ZENOH.messages}
         if names := [message.name for message in table.messages if message in of_paper]:
@@ -177,7 +176,8 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
     timed = [r.before for r in plan.remedies if r.wifi != plan.wifi]
     before = next((value for value in timed if value != plan.utilization), None)
     if before is not None and not plan.utilization_range.differs:
-        yield fill("standard timing", airtime=wording.airtime_text(before, plan.window))
+        of = " of airtime" * math.isfinite(plan.window)
+        yield fill("standard timing", airtime=wording.airtime_text(before, plan.window) + of)
 
 
 def _first_seconds(window: float) -> str:

@@ -87,11 +87,11 @@ def parse_ros2_output(text: str, name: str) -> Ros2Graph:
 def _format_error(line: str) -> str:
     if line.strip() == "Services:":
         return (
-            "`ros2 node info` of ROS 2 Crystal and Dashing prints 'Services:', but neither clients "
+            "`ros2 node info` in ROS 2 Crystal and Dashing prints 'Services:', but neither clients "
             "nor actions. Run it in ROS 2 Eloquent or later"
         )
     return (
-        f"{_checks.short_repr(line.strip())} is not output of: "
+        f"{_checks.short_repr(line.strip())} is not output of any of these commands: "
         f"{_describe(read_data('fleets/ros2_formats.csv'))}. "
         "Give only the output of these commands"
     )
@@ -195,8 +195,8 @@ def _uncertainty_notes(graph: Ros2Graph) -> Iterator[str]:
 def describe_formats(graph: Ros2Graph) -> str:
     """Name the formats of the text; mark formats that were never tried on a live system."""
     rows = [row for row in read_data("fleets/ros2_formats.csv") if row["command"] in graph.commands]
-    told, never = f"Read: {_describe(rows)}", [r["command"] for r in rows if r["tried"] == "no"]
+    told, never = f"Formats: {_describe(rows)}", [r["command"] for r in rows if r["tried"] == "no"]
     if never:
         told += f". Never tried on a live system: {', '.join(f'`{command}`' for command in never)}"
-        told += "; we know the format only from the source code of ros2cli"
+        told += "; we know their format only from the source code of ros2cli"
     return told

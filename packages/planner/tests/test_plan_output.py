@@ -92,7 +92,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
     assert words.get(window, "in the steady state") in text
     seconds = plan.to_dict(simulate=False)["window_s"]
     assert seconds == (None if window == float("inf") else window)
-    assert ("The result is an upper bound" in text) == (table.repeats and window < 1e9)
+    assert ("This can only overstate the airtime" in text) == (table.repeats and window < 1e9)
     measured = name in MEASURED | MITIGATED | product_releases().keys()
     of_paper = table.family is not None
     assert ("as the paper does" in text) == (table.repeats and not measured and of_paper)

@@ -28,7 +28,7 @@ PLANS = {
     "nav2_converges": (ds.Fleet((replace(NAV2, hosts=8),)), "Fast DDS", AC, 1.0),
     "nav2_never_converges": (ds.Fleet((NAV2, laptop())), "DDS", AC, 1.0),
     "nav2_router": (ds.Fleet((NAV2, laptop())), "Zenoh router", AC, 1.0),
-    "periodic_traffic_fills": (ds.Fleet.swarm(12, 15, 15), "Fast DDS", AC, 1.0),
+    "periodic_traffic_fills": (ds.Fleet.swarm(8, 15, 15), "Fast DDS", AC, 1.0),
     "periods_of_fast_dds": (SWARM, "DDS, periods of Fast DDS", AC, 1.0),
     "seven_groups": (
         ds.Fleet(tuple(ds.HostGroup(2, 1 + n % 3, 20 + 5 * n) for n in range(7))),

@@ -79,8 +79,8 @@ def simulate(
         Frame error rate between a host and the access point [1], in both directions, at least 0
         and below 1; an array has one rate per host.
     recovery : bool, optional
-        Whether messages trigger answers and the middleware repairs losses. Without recovery, hosts
-        follow their schedules, and only Wi-Fi retries.
+        Whether messages trigger answers and the middleware recovers lost messages. Without
+        recovery, hosts follow their schedules, and only Wi-Fi retries.
     runs : int, optional
         Number of independent runs [1], which run in parallel threads.
     seed : int, optional

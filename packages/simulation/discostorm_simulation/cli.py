@@ -135,9 +135,9 @@ def simulate(
 
     FLEET is a fleet file in TOML; `discostorm plan --help` describes the format. Radios put up to
     64 frames for one receiver into an A-MPDU, if their standard allows it. With recovery (the
-    default), messages trigger answers and the middleware repairs losses. For a server on a robot,
-    we do not simulate recovery, and the answer is the drain time. Times beyond the end of a run
-    are null in JSON and empty in CSV.
+    default), messages trigger answers, and the middleware recovers lost messages. For a server on a
+    robot, we do not simulate recovery, and the result is the drain time. Times beyond the end of a
+    run are null in JSON and empty in CSV.
 
     If FLEET lists topics ([[groups.data]]), hosts publish on them during discovery, and each run is
     repeated without topics. A second table shows the samples' delays and the share of frames that

@@ -209,7 +209,7 @@ def _print_state(state: Watch) -> None:
     click.echo(say("watched", state.packets, time, now, cli_output.visible(state.wifi.name), peak))
     text = [state.summary()]
     for since, finding in state.certain_findings.values():
-        text.append(f"- from {since:.0f} s on: {finding.summary}: {finding.evidence}")
+        text.append(f"- from {since:.0f} s on, {finding.summary}: {finding.evidence}")
     for sentence in text:
         click.echo(cli_output.visible(wording.wrap(sentence)))
     kinds = [

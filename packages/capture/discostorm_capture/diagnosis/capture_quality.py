@@ -80,7 +80,7 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
     """Report that the capture has the unicast of only one host."""
     obs = evidence.obs
     if host := obs.vantage_host:
-        text = f"all captured unicast is from or to {host}"
+        text = f"all captured unicast is to or from {host}"
         arp = obs.links_of(obs.events("ARP request"))
         near = {one for pair in arp if host in pair for one in pair} - {host}
         # Those that started earlier have asked before.

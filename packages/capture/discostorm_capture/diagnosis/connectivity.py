@@ -61,7 +61,7 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
         wants = obs.time[asks & obs.isin("sender", host)]
         lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
         if sent.sum() >= LIMITS.min_unanswered and lasted >= LIMITS.timeout:
-            texts[host] = f"{sent.sum()} samples, asked for {len(wants)} times"
+            texts[host] = f"{sent.sum()} samples, requested {len(wants)} times"
             links |= obs.links_of(obs.messages[sent])
         wanted = obs.time[asks & obs.isin("receiver", host)]
         often = len(wanted) >= LIMITS.min_messages and np.ptp(wanted) >= LIMITS.timeout
@@ -140,7 +140,9 @@ def different_domains(evidence: Evidence) -> Iterator[Finding]:
     for _, table in known.groupby("protocol"):
         members = table.groupby(names)["host"].unique()
         hosts = tuple(chain.from_iterable(members))
-        said = [f"domain {domain} has {join_names(found)}" for domain, found in members.items()]
+        said = [
+            f"domain {domain} contains {join_names(found)}" for domain, found in members.items()
+        ]
         if len(members) > 1 and len(hosts) == len({*hosts}):
             # Two teams sharing a network have several hosts each. Of two hosts, none is in the
             # default domain, or no packets go between them, as with a Zenoh router for each.

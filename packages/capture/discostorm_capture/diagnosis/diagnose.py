@@ -192,7 +192,7 @@ class Diagnosis:
         left = {*obs.hosts_of(gone)} - {*obs.hosts_of({*range(len(obs.processes))} - gone)}
         count = wording.count_noun(int(hosts["processes"].sum()) - len(gone), "process", "es")
         count += f" on {wording.count_noun(len(hosts) - len(left), 'host')}"
-        seen = f", counting only pairs with {obs.vantage_host}" if obs.vantage_host else ""
+        seen = f", counting only pairs that include {obs.vantage_host}" if obs.vantage_host else ""
         if self.wrong:
             # Where a finding concerns pairs, do not call discovery complete.
             good = self.complete and not any(one.role for one in self.wrong)
@@ -206,14 +206,15 @@ class Diagnosis:
             if not len(self._hosts):
                 return "The capture shows no DDS or Zenoh discovery."
             return f"The capture does not show whether discovery is complete ({count})."
-        state = "complete and over" if self.over else "complete, but announcements go on"
+        state = "complete and over" if self.over else "complete, but announcements continue"
         if self.healthy:
             state = "healthy, " + state if self.over else "healthy and " + state
         time = self.complete_at
         when = f" within {time:.{1 if time >= 1 else 2}f} s" if time >= 0.01 else " within 10 ms"
         when = when if np.isfinite(time) else ""
         if any(one.kind == UNDECIDED_KINDS[-1] for one in self.findings):
-            return f"Only pairs with {obs.vantage_host} discovered each other{when} ({count})."
+            seen = f"Only pairs that include {obs.vantage_host}"
+            return f"{seen} discovered each other{when} ({count})."
         return f"Discovery is {state}: {count} discovered each other{when}{seen}."
 
     def to_dict(self) -> dict[str, Any]:

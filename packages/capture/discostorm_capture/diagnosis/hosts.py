@@ -302,7 +302,8 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("too few hosts", (), text)
     elif absent := tuple(host for host in expected or () if host not in present):
         silent = [host for host in absent if obs.network_events["sender"].eq(host).any()]
-        text = f"of {len(expected or ())} expected hosts, {join_names(absent)} announced nothing"
+        text = f"{len(absent)} of {len(expected or ())} expected hosts announced nothing: "
+        text += join_names(absent)
         if silent:
             they = "it is" if len(silent) == 1 else "they are"
             text += f"; {join_names(silent)} sent other packets, so {they} on the network"

@@ -182,9 +182,10 @@ def outages(evidence: Evidence) -> Iterator[Finding]:
         begin, end = spoke[:-1], spoke[1:]
         usual = np.quantile(end - begin, LIMITS.min_steady_share) if len(begin) else np.inf
         asks = obs.time[obs.isin("receiver", host) & ~obs.isin("submessage", "ACKNACK")]
+        # What was sent meanwhile is sent again when the host is back.
         asked, vain = (
-            np.subtract(*(np.searchsorted(np.sort(times), at) for at in (end, begin)))
-            for times in (asks, lost)
+            np.subtract(*(np.searchsorted(np.sort(times), at) for at in (until, begin)))
+            for times, until in ((asks, end), (lost, end + LIMITS.late_delivery))
         )
         away = (end - begin > max(LIMITS.min_hang, LIMITS.min_outage_ratio * usual)) & (vain > 0)
         away &= begin > begins[obs.process_host == host].min(initial=np.inf) + LIMITS.startup_time
@@ -211,7 +212,7 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
             dead = [one for one in processes if one not in again]
             when = max(last[dead], default=np.nan)
             if end == "left":
-                yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
+                yield Finding("left", (host,), f"{host} said goodbye at {when:.1f} s")
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
                 yield _describe_crash(evidence, host, dead, when, vanished.get(host, -np.inf))
             elif dead and (last[sorted(obs.servers - {*dead})] > when + LIMITS.timeout).any():

@@ -107,7 +107,7 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     most = ends[host]
     shares = {of: ends[of] / total[of] for of in sorted(apart)}
     if host:
-        text += f"; {wording.percent(most / again)} of the repeated frames were from or to {host}"
+        text += f"; {wording.percent(most / again)} of the repeated frames were to or from {host}"
         own, full = shares[host], evidence.channel_use >= LIMITS.max_channel_use
         if most >= LIMITS.min_repeats and own >= LIMITS.min_weak_share and not full:
             text += f", about {wording.percent(own)} of its {total[host]:,} frames"
@@ -121,12 +121,12 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     # A host that talks with one of the worst has about half its share.
     weak = tuple(of for of, share in shares.items() if share > 0.75 * worst)
     good = [of for of, share in shares.items() if share <= worst / 2]
-    each = join_names([f"{of} {wording.percent(share)}" for of, share in shares.items()])
+    each = join_names([f"{of} ({wording.percent(share)})" for of, share in shares.items()])
     if worst >= LIMITS.min_weak_share and kind != "some loss":
         vantage, servers = evidence.obs.vantage_host, evidence.obs.hosts_of(evidence.obs.servers)
         many, own = len(shares) >= LIMITS.min_channel_hosts, vantage and vantage not in servers
         alike = min(shares.values()) >= max(LIMITS.min_weak_share, worst / 2)
-        text += f"; by host: {each}" if many else ""
+        text += f"; share lost by host: {each}" if many else ""
         if many and alike and own:  # the link of the host that recorded may be the common cause
             yield Finding("weak link", (str(vantage),), text)
             return

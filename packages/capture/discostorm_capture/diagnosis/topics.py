@@ -1,5 +1,6 @@
 """Findings about topics: shared by robots, unknown to tools, endpoints that do not match."""
 
+import re
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import fields
@@ -186,6 +187,32 @@ def stopped_topics(evidence: Evidence) -> Iterator[Finding]:
             yield Finding.of("topic stops", (host,), *values)
 
 
+def missing_publishers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that alone do not publish a topic of a sensor, as the other robots do."""
+    obs, ends, sends = evidence.obs, evidence.endpoints, evidence.obs.isin("kind", "User data")
+    sent = {*zip(obs.sender_index[sends].tolist(), obs["writer"][sends].tolist(), strict=True)}
+    ends = ends[ends["type"].map(ros_type).map(USE_ON_ROBOTS).eq("written")]
+    keys = zip(ends["index"], ends["entity"], strict=True)
+    # Samples of Zenoh do not show their topic here.
+    sends = np.array([key in sent or not obs.is_rtps[key[0]] for key in keys], bool)
+    used = ends["writer"].astype(bool) & sends
+    alike = ends["topic"].str.replace(r"\d+", "#", regex=True)
+    for _, group in ends.groupby([ends["scope"], alike]):
+        published = sorted({*group["topic"][used]})
+        for topic in sorted({*group["topic"]} - {*published}) if len(published) > 1 else ():
+            rows, robot = group[group["topic"].eq(topic)], re.match(r"\D*\d+/", topic)
+            own = used & ends["topic"].str.startswith(robot[0] if robot else "-")
+            own &= ends["topic"].str.partition(" ")[2].eq(topic.partition(" ")[2])  # its domain
+            hosts = ends["host"][own].unique()
+            readers = rows["host"][rows["writer"].eq(other=False)].unique()
+            lasts = obs.first_last[0][rows["index"]].max() < obs.end - LIMITS.timeout
+            known = not evidence.incomplete_pairs and obs.sees_unicast(*hosts, *readers)
+            if known and lasts and len(hosts) == 1 and len(readers):
+                key = "silent publisher" if rows["writer"].any() else "no publisher"
+                text = say(key, ros_topic(topic), readers, [*map(ros_topic, published)])
+                yield Finding("no publisher", tuple(hosts), text)
+
+
 def missed_samples(evidence: Evidence) -> Iterator[Finding]:
     """Yield volatile readers that started after the last sample of a writer that keeps samples."""
     obs, texts, begins = evidence.obs, dict[str, dict[str, None]](), evidence.obs.first_last[0]
@@ -285,7 +312,8 @@ def looping_bridges(evidence: Evidence) -> Iterator[Finding]:
     for pair in combinations(counts, 2):
         if {pair, pair[::-1]} <= links:
             text = join_names([say("bridged", of, *counts[of]) for of in pair], "; ")
-            yield Finding("bridges in a loop", pair, f"{text}; they also sent these to each other")
+            text += "; they also sent these samples to each other"
+            yield Finding("bridges in a loop", pair, text)
 
 
 def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:

@@ -9,14 +9,9 @@ import numpy as np
 from discostorm import wording
 from discostorm.data import read_data
 from discostorm_capture._types import Array
+from discostorm_capture.diagnosis import losses
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
-from discostorm_capture.diagnosis.losses import (
-    SEGMENT_LOSS,
-    frame_loss,
-    late_deliveries,
-    lost_sample_frames,
-)
 from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import server_clients
 from discostorm_capture.endpoints import ros_topic
@@ -47,8 +42,9 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
     for process, gone in Counter(own[own >= 0].tolist()).most_common(1):
         if gone >= LIMITS.min_storm_share * len(last):
             topics = ends["topic"][ends["index"] == process].map(ros_topic).unique()
-            host = obs.hosts_of([process])
-            yield Finding.of("endpoints come and go", host, len(last), topics, gone)
+            yield Finding.of(
+                "endpoints come and go", obs.hosts_of([process]), len(last), topics, gone
+            )
             return
     new = obs.rows_by(obs.isin("kind", SEDP) & (obs.time >= last[0]), obs.sender_index, obs.seq)
     is_new = [key in new for key in zip(ends["index"], ends["number"], strict=True)]
@@ -93,7 +89,7 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
         # If two processes share an id, the one unknown to others floods them.
         ports = {row[3] for row in obs.event_tuples("asked") if row[2] == host and row[3] % 2 == 0}
         if len(ports) > (obs.process_host == host).sum() == 1:
-            text += f"; others know only one process there, but send to it at {len(ports)} ports"
+            text += f"; others know only one process there, but send to {len(ports)} of its ports"
             yield Finding("processes with one id", (host,), text)
             return
     yield Finding("flood", senders, text)
@@ -142,7 +138,8 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         if count < LIMITS.min_messages:
             continue
         served = sorted({*times} - {*failed})
-        text = f"{count} messages from {wording.count_noun(len(failed), 'host')} got no answer"
+        asks = f"{count} messages from {wording.count_noun(len(failed), 'host')}"
+        text = "got no answer"
         if refused := obs.events("unreachable")["receiver"].eq(host).sum():
             text += f"; {refused} ICMP replies say that no process uses the port"
         arp = obs.events("ARP request", "ARP reply")["sender"].eq(host).sum()
@@ -151,18 +148,19 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         answers = {port for caller, _, port in asked if caller in served}
         free = sorted({*obs.hosts_of(searching)} - {*failed})
         if answers and tried - answers:
-            ports = sorted(tried - answers), text, sorted(answers)
+            ports = sorted(tried - answers), f"{asks} {text}", sorted(answers)
             yield Finding.of("wrong port", failed, host, *ports)
         elif not served and len(free) > len(failed):
-            yield Finding.of("different discovery", failed, host, text, free)
+            yield Finding.of("different discovery", failed, host, f"{asks} {text}", free)
         elif not served:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
-            spoke = "no discovery came from it" + ("" if np.isinf(last) else f" after {last:.1f} s")
-            at = f", port {join_names([*map(str, sorted(tried))])}" if tried else ""
+            since = "" if np.isinf(last) else f" after {last:.1f} s"
+            spoke = f"it sent no discovery messages{since}"
+            to = f"port {join_names([*map(str, sorted(tried))])} on {host}" if tried else host
             kind = "server down"
             if arp and not refused and np.isinf(last):  # without a process, it would send ICMP
                 kind, spoke = "server blocked", say("on by ARP", arp)
-            yield Finding(kind, (host,), f"at {host}{at}, {text}; {spoke}")
+            yield Finding(kind, (host,), f"{asks} to {to} {text}; {spoke}")
         elif not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
             yield Finding.of("server number", failed, host, served, count)
         elif not (heard & obs.isin("sender", *failed)).any():
@@ -189,7 +187,7 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         if obs.host_first_last[host][1] - min(time for _, time in rows_of) > 2 * LIMITS.min_wait:
             unheard = sorted({caller for caller, _ in rows_of})
             served = sorted({one for one, *at in tries if at == [host, port]})
-            how = f"{wording.count_noun(len(rows_of), 'time')} at port {port} by TCP"
+            how = f"{wording.count_noun(len(rows_of), 'time')} on TCP port {port}"
             yield Finding.of("unserved", unheard, host, how, served)
     half = Counter(row[1:4] for row in obs.event_tuples("half"))
     for (caller, host, port), count in half.items():
@@ -202,22 +200,22 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
     for (caller, host, port), count in tries.items():
         if count < LIMITS.min_calls or {(caller, host), (host, caller)} & opened:
             continue
-        text = f"{caller} opened {count} connections to {host} at port {port}, and "
+        text = f"{caller} opened {count} connections to port {port} on {host}, and "
         if (caller, host) in spoke and host not in {one for one, _ in spoke}:
-            closed.setdefault(host, []).append(f"{caller} opened {count} at port {port}")
+            closed.setdefault(host, []).append(f"{caller} opened {count} to port {port}")
         elif (caller, host) in spoke:
             text += "each was closed before a session began"
             kind, versions = "session refused", obs.processes["version"]
             old, new = ({*versions[obs.process_host == end]} - {0} for end in (caller, host))
             if old and new and not old & new:
                 kind = "different releases"
-                text += f"; they speak versions {max(old)} and {max(new)} of Zenoh's protocol"
+                text += f"; they speak versions {max(old)} and {max(new)} of the Zenoh protocol"
             yield Finding(kind, (caller,), text)
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
-            text += "unlike others, sent no unencrypted Zenoh there"
+            text += "unlike others, sent no unencrypted Zenoh messages there"
             yield Finding("wrong port", (caller,), text)
         elif port == ZENOH_PORT and obs.messages.empty:
-            without_session.setdefault(host, []).append(f"{caller} opened {count} at port {port}")
+            without_session.setdefault(host, []).append(f"{caller} opened {count} to port {port}")
     for host, texts in closed.items():
         yield Finding.of("no router behind", (host,), texts)
     for host, texts in without_session.items():
@@ -226,7 +224,8 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         kinds, callers, times = zip(*rows, strict=True)
         if len(rows) < LIMITS.min_calls or host in peers or np.ptp(times) < LIMITS.min_wait:
             continue
-        text = join_names([f"{n} times {kind}" for kind, n in Counter(kinds).most_common()])
+        counts = Counter(kinds).most_common()
+        text = join_names([f"{kind} {wording.count_noun(n, 'time')}" for kind, n in counts])
         who = tuple(sorted({*callers}))
         if by_udp and (host, ZENOH_PORT) in taken:
             yield Finding("wrong port", who, say("TCP instead", who, host, ZENOH_PORT, text))
@@ -234,9 +233,9 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             yield Finding.of("wrong port", who, host, port, text, ZENOH_PORT)
         elif port == ZENOH_PORT:
             by = wording.count_noun(len(who), "host")
-            text = f"{by} failed to connect to port {ZENOH_PORT} ({text})"
+            text = f"{by} failed to connect to port {ZENOH_PORT} on {host} ({text})"
             if (host, port) in taken:
-                text += f"; the last one was accepted after {taken[host, port]:.1f} s"
+                text += f"; the last connection opened at {taken[host, port]:.1f} s"
             last = max([time for _, of, *_, time in arp if of == host], default=-np.inf)
             last = max(last, obs.host_first_last.get(host, (0.0, last))[1])
             asked, kind = [row for row in arp if row[2] == host and row[4] > last], "server down"
@@ -244,7 +243,7 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
                 kind = "server firewall"  # it answered ARP just before the first call, or later
             elif {*kinds} == {"unanswered"} and len(asked) >= LIMITS.min_unanswered:
                 kind = "server off"
-            yield Finding(kind, (host,), f"at {host}, {text}")
+            yield Finding(kind, (host,), text)
 
 
 def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
@@ -254,12 +253,12 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
         # Fragments that were captured at their receiver have arrived.
         whole = len(obs.events("incomplete")) and obs.vantage_host == pair[1]
         passed_size = max(max(arrived, default=0), LARGE_PACKET)
-        if len(lost) >= SEGMENT_LOSS[0] and min(lost) > passed_size and not whole:
+        if len(lost) >= losses.SEGMENT_LOSS[0] and min(lost) > passed_size and not whole:
             large[pair] = max(arrived, default=0), min(lost), len(lost)
     yield from _uncaptured_samples(obs)
     if large:
         passed, least, counts = zip(*large.values(), strict=True)
-        flows = [f"{one} to {other}" for one, other in large]
+        flows = [f"from {one} to {other}" for one, other in large]
         text = say("large packets", flows, max(passed), min(least), sum(counts))
         both = tuple(dict.fromkeys(chain(*large)))
         who = tuple(sorted({row[2] for row in obs.event_tuples("parts missing")} & {*both}))
@@ -270,7 +269,7 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
         later = (obs.time > time) & (obs.time < time + LIMITS.min_wait)
         # Skip receivers that send nothing meanwhile: they are out of range, or restart.
         if (sender, receiver) not in large and (later & obs.isin("sender", receiver)).any():
-            text = f"{sender} to {receiver} ({payload} bytes, first sent after {time:.1f} s)"
+            text = f"{sender} to {receiver} ({payload} bytes, first sent at {time:.1f} s)"
             deaf.setdefault((sender, receiver), text)
     if deaf:
         ends = list(dict.fromkeys(chain(*deaf)))
@@ -312,8 +311,8 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
     seconds = obs["airtime_s"] * obs["user"] * ~obs.isin("submessage", "ACKNACK")
     lossy = {one.hosts for one in repeated_multicast(evidence)}
     # A link that loses or delays frames may be slower than the channel.
-    slow = [one for one in frame_loss(evidence) if one.about == "fleet"]
-    slow = slow or [*late_deliveries(evidence)]
+    slow = [one for one in losses.frame_loss(evidence) if one.about == "fleet"]
+    slow = slow or [*losses.late_deliveries(evidence)]
     slow = [one for one in slow if one.kind != "crowded link"]
     limit = LIMITS.max_multicast_use if slow else LIMITS.max_channel_use
     kinds = {"stream by multicast": LIMITS.max_multicast_use}
@@ -349,10 +348,12 @@ def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
         # A best-effort reader never answers.
         reads = obs.rows_by(own & acks, obs.receiver_index, obs["writer"])
         rows = obs.rows_by(beats & obs.isin("receiver", host), obs.sender_index, obs["writer"])
-        to_it = np.sort(np.concatenate([[], *(rows[one] for one in rows if one in reads)])).astype(
-            int
+        to_it = np.sort(np.concatenate([[], *(rows[one] for one in rows if one in reads)]))
+        spans = (
+            (to_it.astype(int), pause),
+            (own & acks & ~lacks, after),
+            (own & acks & lacks, after),
         )
-        spans = (to_it, pause), (own & acks & ~lacks, after), (own & acks & lacks, after)
         asked, good, bad = (
             np.diff(np.searchsorted(obs.time[of], at), axis=0)[0] for of, at in spans
         )
@@ -369,7 +370,7 @@ def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
     asks = obs.isin("submessage", "NACK_FRAG") & ~obs["multicast"]
     asked = Counter(obs.messages["sender"][asks].astype(str))
     hosts = sorted(of for of, count in asked.items() if count >= LIMITS.min_fragment_requests)
-    if hosts and not [*frame_loss(evidence)]:
+    if hosts and not [*losses.frame_loss(evidence)]:
         text = [f"{host} ({wording.count_noun(asked[host], 'time')})" for host in hosts]
         yield Finding.of("burst loss", hosts, text)
 
@@ -381,7 +382,7 @@ def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], 
         lost = kind == "vanished"
         sizes = sizes_by_pair.setdefault((sender, receiver), ([], []))
         # A vanished segment was sent at least this often.
-        sizes[lost].extend([payload + TCP_HEADER_BYTES] * (SEGMENT_LOSS[0] if lost else 1))
+        sizes[lost].extend([payload + TCP_HEADER_BYTES] * (losses.SEGMENT_LOSS[0] if lost else 1))
     size = np.bincount(obs["frame"], obs["bytes"]).astype(np.int64)
     size = np.minimum(size + UDP_HEADER_BYTES, ETHERNET_MTU)
     for subject, observer, rows, asks in evidence.answered_samples:
@@ -400,6 +401,6 @@ def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], 
         smallest = np.full(len(samples), ETHERNET_MTU)
         np.minimum.at(smallest, which, size[obs["frame"][rows][before]])
         sizes[0].extend(smallest.tolist())
-        frames = [*lost_sample_frames(evidence, subject, observer, rows, asks)]
+        frames = [*losses.lost_sample_frames(evidence, subject, observer, rows, asks)]
         sizes[1].extend(size[frames].tolist())
     return sizes_by_pair
