@@ -60,8 +60,6 @@ def describe_range(
     start = f" {'above' if exclusive_min else 'of at least'} {format_exact(low)}"
     end = f" and {'below' if exclusive_max else 'at most'} {format_exact(high)}"
     text = f"{what}{'' if np.isinf(low) else start}{'' if np.isinf(high) else end}"
-    if not (exclusive_min or exclusive_max) and np.isfinite([low, high]).all():
-        text = f"{what} from {format_exact(low)} to {format_exact(high)}"
     return f"{text}, or infinity" if allow_inf else text
 
 

@@ -509,7 +509,7 @@ def test_the_keyboard_is_enough(tab: Page) -> None:
 
 
 BAD = [
-    ("hosts", "0", "Robots must be a whole number from 1 to 1,000,000,000; "),
+    ("hosts", "0", "Robots must be a whole number of at least 1 and at most 1,000,000,000; "),
     ("hosts", "7.5", "Robots must be a whole number"),
     ("hosts", "-3", "of at least 1"),
     ("hosts", "1e10", "at most 1,000,000,000; got “1e10”."),
@@ -521,9 +521,9 @@ BAD = [
     ("hosts", "Infinity", "got “Infinity”."),
     ("hosts", "0x10", "got “0x10”."),
     ("hosts", "<b>7</b>", "got “<b>7</b>”."),
-    ("processes", "0", "Processes per robot must be a whole number from 1"),
+    ("processes", "0", "Processes per robot must be a whole number of at least 1"),
     ("endpoints", "-1", "Endpoints per process must be a number of at least 0"),
-    ("beside_hosts", "0.5", "Computers must be a whole number from 1"),
+    ("beside_hosts", "0.5", "Computers must be a whole number of at least 1"),
     ("unicast_rate", "0", "Rate, unicast must be a number of Mbit/s above 0; got “0”."),
     ("unicast_rate", "1e400", "above 0; got “1e400”."),
     ("unicast_overhead", "-1", "must be a number of µs of at least 0; got “-1”."),

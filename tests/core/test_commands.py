@@ -303,7 +303,7 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
         ),
         (
             "utilization|--hosts|0|--processes|1|--endpoints|1",
-            "hosts must be a finite number from 1 to 1e+09; got 0.0",
+            "hosts must be a finite number of at least 1 and at most 1e+09; got 0.0",
         ),
         ("utilization|--hosts|1|--processes|x|--endpoints|1", "'x' is not a valid float"),
         ("utilization|--hosts|nan|--processes|1|--endpoints|1", "hosts must be"),
@@ -320,11 +320,13 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
         ),
         (
             "utilization|--fleet|fleet.toml|--multicast-rate|-1.5",
-            "--multicast-rate in Mbit/s must be a finite number from 1e-06 to 1e+09; got -1.5",
+            "--multicast-rate in Mbit/s must be a finite number of at least 1e-06 and at most "
+            "1e+09; got -1.5",
         ),
         (
             "utilization|--fleet|fleet.toml|--unicast-overhead|-2",
-            "--unicast-overhead in µs must be a finite number from 0 to 1e+12; got -2",
+            "--unicast-overhead in µs must be a finite number of at least 0 and at most 1e+12; "
+            "got -2",
         ),
         (
             "utilization|--fleet|fleet.toml|--wifi|802.11a 20 MHz 1x1|--multicast-rate|5",

@@ -280,7 +280,7 @@ def test_every_default_names_where_it_comes_from() -> None:
         (
             lambda: drain_times.drain_time(FAST_DDS, 0, 2, 10),
             ValueError,
-            "hosts must be a finite number from 1 to 1e[+]09; got 0",
+            "hosts must be a finite number of at least 1 and at most 1e[+]09; got 0",
         ),
         (
             lambda: ds.saturation_hosts(FAST_DDS, 2, 10, window=0),

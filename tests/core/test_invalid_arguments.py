@@ -67,7 +67,7 @@ each_count = pytest.mark.parametrize(
 @each_count
 def test_counts_out_of_range(call: Callable[..., object], name: str) -> None:
     low = LOW[name]
-    allowed = f"{name} must be a finite number from {low} to 1e+09; got "
+    allowed = f"{name} must be a finite number of at least {low} and at most 1e+09; got "
     for value, shown in [
         (low - 1, f"{low - 1}"),
         (-1, "-1"),
@@ -85,7 +85,7 @@ def test_counts_that_are_no_numbers(call: Callable[..., object], name: str, valu
     if value is None and call is not saturation_hosts and name != "hosts":
         text = f"{name} must be given unless hosts is a Fleet; got None"
     else:
-        text = f"{name} must be a finite number from {LOW[name]} to 1e+09"
+        text = f"{name} must be a finite number of at least {LOW[name]} and at most 1e+09"
     fails(TypeError, text, call, **{name: value})
 
 
@@ -202,7 +202,7 @@ def test_schedules_robots_and_seeds() -> None:
     text = "window must be a finite number of at least 1e-09, or infinity; got "
     fails(ValueError, f"{text}0", every.mean, window=0)
     fails(TypeError, text.partition(";")[0], every.mean, window="3")
-    text = "until must be a finite number from 0 to 3e+08; got "
+    text = "until must be a finite number of at least 0 and at most 3e+08; got "
     fails(ValueError, f"{text}inf", every.times, until=float("inf"))
     fails(TypeError, f"{text}None", every.times, until=None)
     fails(TypeError, "nodes must be a finite number", robots.shared_endpoints, nodes="3")
@@ -248,7 +248,7 @@ def test_fleet_and_counts_exclude_each_other() -> None:
 
 @pytest.mark.parametrize("name", SWARM)
 def test_host_group(name: str) -> None:
-    allowed = f"{name} must be a finite number from {LOW[name]} to 1e+09"
+    allowed = f"{name} must be a finite number of at least {LOW[name]} and at most 1e+09"
     fails(ValueError, f"{allowed}; got nan", ds.HostGroup, **{**SWARM, name: float("nan")})
     fails(ValueError, f"{allowed}; got -1", ds.HostGroup, **{**SWARM, name: sp.Integer(-1)})
     fails(TypeError, f"{allowed}, or an array", ds.HostGroup, **{**SWARM, name: "many"})
@@ -289,7 +289,7 @@ def test_fleet() -> None:
     fails(TypeError, "groups must be a tuple of HostGroup; got HostGroup(", ds.Fleet, groups=group)
     fails(TypeError, "groups[1] must be a HostGroup; got 3", ds.Fleet, groups=(group, 3))
     assert ds.Fleet([group]).groups == (group,)  # type: ignore[arg-type]
-    text = "groups must be a whole number from 1 to 1000; got "
+    text = "groups must be a whole number of at least 1 and at most 1000; got "
     for value in (0, 1.5, 2**63):
         fails(ValueError, f"{text}{value}", ds.Fleet.symbolic, groups=value)
     fails(TypeError, f"{text}'2'", ds.Fleet.symbolic, groups="2")
@@ -322,17 +322,17 @@ def test_payload() -> None:
 
     fails(
         ValueError,
-        "payload (here): low must be a finite number from 0 to 1e+09; got -1",
+        "payload (here): low must be a finite number of at least 0 and at most 1e+09; got -1",
         payload,
         low=-1,
     )
     fails(
         ValueError,
-        "payload (here): nominal must be a finite number from 300 to 400; got 401",
+        "payload (here): nominal must be a finite number of at least 300 and at most 400; got 401",
         payload,
         nominal=401,
     )
-    text = "high must be a finite number from 300 to 1e+09; got inf"
+    text = "high must be a finite number of at least 300 and at most 1e+09; got inf"
     fails(ValueError, text, payload, high=np.inf)
     fails(TypeError, "low must be a finite number of at least 0", payload, low="little")
 
@@ -357,7 +357,9 @@ def test_message() -> None:
     )  # fmt: skip
     fails(ValueError, "transport must be 'UDP' or 'TCP'; got 'QUIC'", message, transport="QUIC")
     fails(TypeError, "payload of SPDP: nominal must be a finite number", message, payload="350 B")
-    text = "payload of SPDP: nominal must be a finite number from 0 to 1e+09; got -1"
+    text = (
+        "payload of SPDP: nominal must be a finite number of at least 0 and at most 1e+09; got -1"
+    )
     fails(ValueError, text, message, payload=-1)
     fails(TypeError, "unit must be a Unit; got 'process'", message, unit="process")
     fails(ValueError, "per_unit must be a finite number of at least 1e-09", message, per_unit=0)
@@ -383,7 +385,7 @@ def test_protocol() -> None:
 
 @pytest.mark.parametrize(
     ("name", "low"),
-    [("rate", "from 1 to 1e+15"), ("overhead", "from 0 to 1e+06")],
+    [("rate", "of at least 1 and at most 1e+15"), ("overhead", "of at least 0 and at most 1e+06")],
 )
 def test_link(name: str, low: str) -> None:
     def link(**given: Any) -> object:

@@ -408,7 +408,7 @@ def test_bad_counts_and_limits_are_named() -> None:
     [
         (
             ValueError,
-            r"size must be a whole number from 1 to 1e\+08; got 0",
+            r"size must be a whole number of at least 1 and at most 1e\+08; got 0",
             {"size": 0},
         ),
         (ValueError, r"size must be .*; got 1000000000", {"size": 10**9}),

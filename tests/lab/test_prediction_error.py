@@ -299,7 +299,7 @@ def test_of_two_groups_the_one_that_takes_most_reboots() -> None:
     plan = ds.plan(ds.Fleet(groups), ds.PROTOCOLS["Fast DDS"])
     assert plan.reboot is not None
     assert plan.reboot.group == "laptop"
-    assert 'When one robot of group "laptop" reboots' in " ".join(plan.why().split())
+    assert 'When one robot in "laptop" reboots' in " ".join(plan.why().split())
 
 
 def test_a_restart_costs_more_than_its_share_of_a_start() -> None:

@@ -45,7 +45,7 @@ def test_ticks_of_the_simulator_have_a_largest_value() -> None:
 
 
 def test_robots_start_in_turn_up_to_a_million() -> None:
-    text = r"hosts must be a whole number from 1 to 1e\+06; got 80000000"
+    text = r"hosts must be a whole number of at least 1 and at most 1e\+06; got 80000000"
     with pytest.raises(ValueError, match=text):
         staggered_start.start_times_in_turn(ds.DDS, hosts=8e7, processes=2, endpoints=10)
 

@@ -8,8 +8,8 @@ const s5 = "Products with mitigations";
 const s6 = "As the paper counts";
 const s7 = "The paper's messages, a product's periods";
 const s8 = "Proposals and other tables";
-const s9 = "a whole number from 1 to 1,000,000,000";
-const s10 = "a number from 0 to 1,000,000,000";
+const s9 = "a whole number of at least 1 and at most 1,000,000,000";
+const s10 = "a number of at least 0 and at most 1,000,000,000";
 const s11 = "a number above 0";
 const s12 = "a number of at least 0";
 const s13 = "paper (802.11n)";
@@ -837,7 +837,7 @@ return {
 {"name": "multicast_rate", "label": "Rate, multicast", "symbol": "R_multi", "unit": "Mbit/s", "scale": 1000000, "start": "6", "low": 0, "high": Infinity, "above": true, "whole": false, "allowed": s11},
 {"name": "multicast_overhead", "label": "Overhead of a frame, multicast", "symbol": "O_multi", "unit": "µs", "scale": 1e-06, "start": "120", "low": 0, "high": Infinity, "above": false, "whole": false, "allowed": s12},
 ],
-"cells": [{"name": "cells", "label": "Access points", "symbol": "cells", "unit": "", "scale": 1, "start": "1", "low": 1, "high": 233, "above": false, "whole": true, "allowed": "a whole number from 1 to 233"}],
+"cells": [{"name": "cells", "label": "Access points", "symbol": "cells", "unit": "", "scale": 1, "start": "1", "low": 1, "high": 233, "above": false, "whole": true, "allowed": "a whole number of at least 1 and at most 233"}],
 "target": [{"name": "within", "label": "Discovery within", "symbol": "within", "unit": "s", "scale": 1, "start": "60", "low": 0, "high": 600, "above": true, "whole": false, "allowed": "a number above 0 and at most 600"}],
 },
 "robots": [

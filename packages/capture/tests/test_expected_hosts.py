@@ -45,7 +45,7 @@ def test_with_a_number_the_present_ones_are_named() -> None:
 @pytest.mark.parametrize(
     ("expected", "message"),
     [
-        (0, "expected must be a whole number from 1"),
+        (0, "expected must be a whole number of at least 1"),
         (("10.0.0.256",), "IP addresses such as 10.0.0.5; got '10.0.0.256'"),
         (("10.0.0.5", "10.0.0.5"), "must have distinct addresses; got '10.0.0.5' twice"),
     ],

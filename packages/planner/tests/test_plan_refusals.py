@@ -14,7 +14,7 @@ WRONG: Any = 5
 #: Values that are not a single number.
 PROTOCOL_SETS: Any = [1, 2]
 MANY = ds.Fleet(tuple(ds.HostGroup(1, 1, endpoints) for endpoints in range(1001)))
-WIDTH = "width must be a whole number from 1"
+WIDTH = "width must be a whole number of at least 1"
 
 
 @pytest.mark.parametrize(

@@ -96,7 +96,7 @@ def test_the_file_can_be_planned_and_says_what_was_never_tried(tmp_path: Path) -
     assert read == fleet_from_graph(parse_ros2_output(text("two_robots"), "x"), hosts=3)[0]
     answer = json.loads(run(str(TEXTS / "two_robots.txt"), "--hosts", "3", "--json").stdout)
     assert answer["groups"] == read.to_dicts()
-    assert answer["notes"][0].startswith("Read: ")
+    assert answer["notes"][0].startswith("Formats: ")
 
 
 def test_standard_input_is_read() -> None:
@@ -117,7 +117,7 @@ def test_every_format_has_a_text() -> None:
         ("hello\n", "standard input, line 1: 'hello' is not output of any of these commands: "),
         ("/a\n  Subscribers:\n    nonsense\n", "standard input, line 3: 'nonsense' is not"),
         ("    /odom: nav_msgs/msg/Odometry\n", "standard input, line 1: "),
-        (text("dashing"), "line 6: `ros2 node info` of ROS 2 Crystal"),
+        (text("dashing"), "line 6: `ros2 node info` in ROS 2 Crystal"),
         ("The daemon is not running\n", "standard input, line 1: "),
     ],
 )

@@ -946,7 +946,7 @@ def test_what_cannot_be_simulated_is_refused() -> None:
     with pytest.raises(ValueError, match=r"groups\[0\].hosts must be a whole number .*; got 2.5"):
         ds.simulate(ds.Fleet.swarm(2.5, 1, 1), ds.DDS, wifi)
     named = ds.Fleet((ds.HostGroup(2, 2.5, 1, name="robots"),))
-    allowed = "a whole number from 1 to 1048576"
+    allowed = "a whole number of at least 1 and at most 1048576"
     with pytest.raises(ValueError, match=rf'processes of "robots" must be {allowed}; got 2.5'):
         ds.simulate(named, ds.DDS, wifi)
     with pytest.raises(ValueError, match="fleet must have at least 2 hosts to simulate; got 1"):
@@ -1191,7 +1191,7 @@ def test_command_prints_what_the_package_finds() -> None:
     ("arguments", "message"),
     [
         (("--protocol", "CORBA"), "Invalid value for '--protocol': 'CORBA'"),
-        (("--window", "-1"), "--window must be a finite number from 0 to 1e+06;"),
+        (("--window", "-1"), "--window must be a finite number of at least 0 and at most 1e+06;"),
         (("--window", "1e15"), "at most 1e+06; got 1000000000000000.0"),
         (("--runs", "0"), "runs must be"),
         (("--loss", "1"), "of at least 0 and below 1"),

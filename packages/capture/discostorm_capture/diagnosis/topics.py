@@ -196,7 +196,7 @@ def missing_publishers(evidence: Evidence) -> Iterator[Finding]:
     # Samples of Zenoh do not show their topic here.
     sends = np.array([key in sent or not obs.is_rtps[key[0]] for key in keys], bool)
     used = ends["writer"].astype(bool) & sends
-    alike = ends["topic"].str.replace(r"\d+", "#", regex=True)
+    alike = ends["topic"].astype(str).str.replace(r"\d+", "#", regex=True)
     for _, group in ends.groupby([ends["scope"], alike]):
         published = sorted({*group["topic"][used]})
         for topic in sorted({*group["topic"]} - {*published}) if len(published) > 1 else ():
