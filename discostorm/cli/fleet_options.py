@@ -20,8 +20,9 @@ from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY, aggregation_bounds
 
 _MATCHING_RULE = (
-    "Measured models depend on how many endpoints match. We count ROS 2's own topics as shared by "
-    "all processes, unless a fleet file sets `shared` (use 0 without ROS 2)."
+    "Results of measured models depend on the share of matching endpoints. We count ROS 2's own "
+    "topics as shared by all processes, unless a fleet file sets `shared` (for other DDS or Zenoh "
+    "programs, set it to 0)."
 )
 #: Maximum number of tables whose error is printed.
 _MAX_PRINTED_ERRORS = 3

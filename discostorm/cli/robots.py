@@ -49,5 +49,5 @@ def robots(output: Output) -> None:
         print_note(
             "Endpoints are per process, nodes per robot. --robot also accepts short names, "
             f"in the order of the table: {'; '.join(aliases)}. Case, spaces and hyphens don't "
-            "matter: turtlebot4."
+            "matter, so turtlebot4 works, too."
         )

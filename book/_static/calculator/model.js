@@ -1315,7 +1315,7 @@ return {
 "beyond captures": "This fleet exceeds these numbers, so we extrapolate.",
 "as the paper": "We count {names} as the paper does, although the product packs some of these messages together and sends other types as well.",
 "whole burst": "We count the whole startup burst within {window}, and periodic traffic at its average rate. This can only overstate the airtime.",
-"standard timing": "For other radios, we use the timing of the 802.11 standard. With that timing, your unchanged fleet needs {airtime}.",
+"standard timing": "For other radios, we use the timing of the 802.11 standard. With that timing, your unchanged fleet needs {airtime} of airtime.",
 "nothing to write": "Your startup already works, so nothing needs changing, and we wrote no files. To write the configuration for a change anyway, name the change: --paste NAME.",
 "nothing written": "--write: we are not sure that any configuration change is enough, so we wrote no files. Run the command without --write to see what helps, then name a change: --paste NAME",
 },

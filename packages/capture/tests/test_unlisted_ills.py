@@ -102,13 +102,13 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "no_incoming_tcp",
             "TCP connections to 10.77.0.3 and 10.77.0.2 get no answer, because a firewall drops",
-            "10.77.0.2 called 10.77.0.3 (1 time) and 10.77.0.3 called 10.77.0.2 (1 time)",
+            "10.77.0.2 to 10.77.0.3 (1 time) and 10.77.0.3 to 10.77.0.2 (1 time)",
             "On 10.77.0.3 and 10.77.0.2, check `ufw status`",
         ),
         (
             "peers_behind_firewalls",  # each lists the addresses of the others
             "TCP connections to 10.77.0.2 and 10.77.0.3 get no answer, because a firewall drops",
-            "10.77.0.3 called 10.77.0.2 (3 times) and 10.77.0.2 called 10.77.0.3 (1 time)",
+            "10.77.0.3 to 10.77.0.2 (3 times) and 10.77.0.2 to 10.77.0.3 (1 time)",
             "On 10.77.0.2 and 10.77.0.3, check `ufw status`",
         ),
         (
@@ -264,7 +264,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "tcp_is_rejected",
             "TCP connections to 10.77.0.2 and 10.77.0.3 get no answer, because a firewall drops",
-            "at the announced port, but got no answer",
+            "onnection attempts to the announced TCP port got no answer: 10.77.0.",
             "On 10.77.0.2 and 10.77.0.3, check `ufw status`",
         ),
         (

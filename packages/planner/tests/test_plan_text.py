@@ -28,7 +28,7 @@ PLANS = {
     "nav2_converges": (ds.Fleet((replace(NAV2, hosts=8),)), "Fast DDS", AC, 1.0),
     "nav2_never_converges": (ds.Fleet((NAV2, laptop())), "DDS", AC, 1.0),
     "nav2_router": (ds.Fleet((NAV2, laptop())), "Zenoh router", AC, 1.0),
-    "periodic_traffic_fills": (ds.Fleet.swarm(8, 15, 15), "Fast DDS", AC, 1.0),
+    "periodic_traffic_fills": (ds.Fleet.swarm(9, 15, 15), "Fast DDS", AC, 1.0),
     "periods_of_fast_dds": (SWARM, "DDS, periods of Fast DDS", AC, 1.0),
     "seven_groups": (
         ds.Fleet(tuple(ds.HostGroup(2, 1 + n % 3, 20 + 5 * n) for n in range(7))),
@@ -47,7 +47,7 @@ TEXTS = Path(__file__).with_name("plan_texts")
 #: that has fewer runs of large ones. The others, whose runs take longer, have `TWO` of each fleet.
 USUAL, TWO = {"RUNS": simulation_jobs.RUNS}, {"RUNS": 2, "RUNS_IF_LONG": 2}
 LIMITS = dict.fromkeys(("swarm_dds", "swarm_zenoh_router", "small_fits"), USUAL) | {
-    "periodic_traffic_fills": {"RUNS_IF_LONG": 2, "LONG_RUN_S": 0.3, "MAX_RUN_SECONDS": 1.2}
+    "periodic_traffic_fills": {"RUNS_IF_LONG": 2, "LONG_RUN_S": 0.1, "MAX_RUN_SECONDS": 0.4}
 }
 
 

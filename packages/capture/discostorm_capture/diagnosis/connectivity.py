@@ -129,7 +129,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     lost = {of: n for of, n in calls.items() if n + calls[of[::-1]] >= LIMITS.min_calls}
     vain |= {of: n for of, n in lost.items() if not {of, of[::-1]} & spoke}
     if vain:
-        said = [f"{a} called {b} ({wording.count_noun(n, 'time')})" for (a, b), n in vain.items()]
+        said = [f"{a} to {b} ({wording.count_noun(n, 'time')})" for (a, b), n in vain.items()]
         yield Finding.of("no TCP", [*dict.fromkeys(called for _, called in vain)], said)
 
 
