@@ -74,7 +74,7 @@ class ErrorBand:
 
     def sentence(self) -> str:
         """Return the error as a sentence, to follow one about the captures."""
-        where = {1.0: "of up to these sizes", 2.0: "of up to twice these sizes"}.get(
+        where = {1.0: "within these limits", 2.0: "within twice these limits"}.get(
             self.up_to, f"with up to {self.most_endpoints:.0f} times as many endpoints"
         )
         inside = f"We expect {self.coverage or 0:.0%} of such swarms to be in this range"
@@ -82,8 +82,8 @@ class ErrorBand:
         kept = self.points - 2 * points_outside_interval(self.points)
         part_of = "" if kept == self.points else f"{kept} of "
         return (
-            f"In {part_of}{self.points} swarms {where}, not used for the fit, discovery took "
-            f"{self.low:.2f} to {self.high:.2f} times the predicted airtime (typical error "
+            f"In {part_of}{self.points} swarms {where} that were not used for the fit, discovery "
+            f"took {self.low:.2f} to {self.high:.2f} times the predicted airtime (typical error "
             f"{self.typical:.0%}). {more}{BEYOND_CLAUSE * self.beyond}."
         )
 

@@ -148,7 +148,7 @@ def test_few_swarms_give_no_interval() -> None:
     assert lab.ratio_interval(ratios) == (1.01, 1.37)
     most = prediction_error.ErrorBand(*lab.ratio_interval(ratios), 0.1, 39, 1, 1, 1)
     assert most.coverage == pytest.approx(0.9)
-    assert most.sentence().startswith("In 37 of 39 swarms of up to these sizes, not used ")
+    assert most.sentence().startswith("In 37 of 39 swarms within these limits that were ")
     many = prediction_error.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)
     assert many.coverage == pytest.approx(0.9)
     assert "We expect 90% of such swarms to be in this range; " in many.sentence()

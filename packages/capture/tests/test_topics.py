@@ -24,7 +24,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "base_behind_the_computer",
             "a server announces 10.78.0.3, but the other hosts have no route to this address",
-            "others announced a process there, and 10.78.0.2 is in the same network",
+            "others announced a process there, and 10.78.0.2 is in the network of this",
             "Add a route to the network of 10.78.0.3",
         ),
         (
@@ -138,7 +138,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "no_micro_ros_agent",
             "10.77.0.1 refuses packets",
-            "to port 8888 (micro-ROS agent) of 10.77.0.1",
+            "to port 8888 (micro-ROS agent) on 10.77.0.1",
             "Start the server, router or agent on 10.77.0.1",
         ),
         (

@@ -174,7 +174,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "peers_without_index",
             "10.77.0.1, 10.77.0.2 and 10.77.0.3 search for each other on ports that",
-            "search for each other on ports 7410 to 7426, and each replies by ICMP",
+            "search for each other on ports 7410 to 7426, and each replies with ICMP",
             "Set ParticipantIndex to auto on all hosts",
         ),
         (
@@ -894,7 +894,7 @@ def test_the_router_of_each_group_is_named_unless_a_domain_separates_them() -> N
     seen = ds.read_capture(STAGED / "two_routers.pcap.xz")
     (found,) = seen.diagnosis().wrong
     assert found.evidence.endswith(
-        "the server or router is 10.77.0.102 for 10.77.0.3, and 10.77.0.101 for the other hosts"
+        "The server or router is 10.77.0.102 for 10.77.0.3, and 10.77.0.101 for the other hosts"
     )
     domains = seen._processes["host"].map({"10.77.0.1": 0, "10.77.0.2": 0, "10.77.0.3": 7})
     domains = domains.fillna(-1).astype(int)

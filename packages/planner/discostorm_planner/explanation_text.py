@@ -176,8 +176,8 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
     timed = [r.before for r in plan.remedies if r.wifi != plan.wifi]
     before = next((value for value in timed if value != plan.utilization), None)
     if before is not None and not plan.utilization_range.differs:
-        needs = wording.airtime_text(before, plan.window).removesuffix(" of the time")
-        yield fill("standard timing", airtime=needs)
+        needs = wording.airtime_text(before, plan.window).replace("of the time", "of the airtime")
+        yield fill("standard timing", airtime=needs + " of airtime" * math.isfinite(plan.window))
 
 
 def _first_seconds(window: float) -> str:

@@ -202,7 +202,7 @@ def test_a_robot_that_starts_later_is_simulated_after_the_others() -> None:
     assert max(late.times) < today.median
     said = " ".join(plan.advice().split())
     assert "If one robot reboots, all others rediscover it 0." in said
-    assert ", and none of their leases expires." in said
+    assert ", and no lease of another robot expires." in said
     again = plan.to_dict()["known_again"]
     assert again["median_s"] == late.median
     assert (again["low_s"], again["high_s"]) == late.median_interval
