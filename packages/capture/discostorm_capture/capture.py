@@ -140,8 +140,8 @@ class Capture:
         rows = rows[(rows["host"] != "") & ~rows["host"].isin(serving & on_wires)]
         rows = rows.sort_values("host", key=lambda host: ~host.isin(serving), kind="stable")
         if not len(rows):
-            what = "of a process" if protocol is None else f"of a process of {protocol}"
-            raise CaptureError(f"{self.path}: it contains no message {what}")
+            what = "any process" if protocol is None else f"any {protocol} process"
+            raise CaptureError(f"{self.path}: it contains no message from {what}")
         by_host = rows.groupby("host", sort=False, observed=True)["endpoints"]
         like: dict[tuple[int, float, bool], list[str]] = {}
         for host, endpoints in by_host:

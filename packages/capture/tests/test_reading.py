@@ -859,7 +859,7 @@ def test_nothing_found(read: Read) -> None:
     capture = read(pcap([]))
     assert capture.messages().empty
     assert (capture.packets, capture.duration) == (0, 0.0)
-    with pytest.raises(CaptureError, match="no message of a process"):
+    with pytest.raises(CaptureError, match="no message from any process"):
         capture.fleet()
     with pytest.raises(CaptureError, match="no message"):
         capture.picture()

@@ -233,7 +233,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "no_password",
-            "a router or peer closes every Zenoh session of 10.77.0.3 before it is open",
+            "a router or peer rejects every Zenoh session of 10.77.0.3 before it opens",
             "10.77.0.3 opened 8 connections to port 7447 on 10.77.0.101, and each was closed",
             "Compare 10.77.0.3 with a host that works: user and password",
         ),
@@ -563,7 +563,7 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
         (
             "small_socket_buffer",
             "complete, but not healthy: 10.77.0.2 loses parts of large samples, but no small",
-            "but for no small samples, came from 10.77.0.2 (6 times)",
+            "requested again by 10.77.0.2 (6 times), and small samples were not",
             "On 10.77.0.2, raise net.core.rmem_max",
         ),
         (
@@ -681,6 +681,19 @@ def test_a_sample_that_is_sent_again_does_not_set_the_clock_back() -> None:
     old = events.loc[times, "port"].iloc[0] + 5400 - 60
     repeats = events.assign(port=events["port"].where(~times, old))
     assert replace(capture, _network_events=repeats).diagnosis().findings == ()
+
+
+def test_a_sensor_that_no_node_publishes_is_named_unless_no_robot_publishes_it() -> None:
+    capture = ds.read_capture(STAGED / "sensor_not_activated.pcap.xz")
+    ends = capture._endpoints
+    scans = ends["topic"].str.endswith("/scan") & ends["writer"].eq(other=True)
+    mute = ends["topic"].eq("rt/robot3/scan")
+    (found,) = replace(capture, _endpoints=ends[~(scans & mute)]).diagnosis().findings
+    assert found.evidence == (
+        "/robot3/scan is read by 10.77.0.101, but has no publisher; "
+        "/robot1/scan and /robot2/scan have one"
+    )
+    assert replace(capture, _endpoints=ends[~scans]).diagnosis().findings == ()
 
 
 def test_appended_files_do_not_set_the_clocks_of_hosts_back(tmp_path: Path) -> None:

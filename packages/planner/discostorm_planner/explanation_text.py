@@ -50,7 +50,7 @@ def format_explanation(plan: Plan, width: int) -> str:
     basis += [
         "",
         "`discostorm plan --paste NAME` prints the configuration for a change. `--json` lists all "
-        f"configurations, {wording.count_noun(rest, 'more change')}, and why the rest are missing.",
+        f"configurations, {wording.count_noun(rest, 'more change')}, and why it omits others.",
     ]
     table = configuration_table(plan.configurations, width)
     return "\n".join([_wrap_lines(lines, width), *table, _wrap_lines(basis, width)])

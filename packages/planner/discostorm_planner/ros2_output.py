@@ -136,7 +136,7 @@ def fleet_from_graph(
     for name, (nodes, endpoints, with_services) in robots.items():
         many = float(nodes) if processes is None else processes
         if many > nodes:
-            raise ValueError(f"--processes must be at most {nodes}, a robot's nodes; got {many:g}")
+            raise ValueError(f"--processes must be at most {nodes}, the node count; got {many:g}")
         # Endpoints that each participant has in addition to its nodes.
         each = endpoints / many + shared_endpoints(0)
         rest = "robots" if len(robots) == 1 else "others"

@@ -132,7 +132,7 @@ def test_table_and_json_hold_the_same_numbers() -> None:
     assert read["left_out"] == list(plan.not_applicable) != []
     told = sum(map(len, plan.sections().values()))
     rest = len(plan.remedies) + len(plan.combinations) - told
-    assert f"{rest} more changes, and why the rest" in plan.why()
+    assert f"{rest} more changes, and why it omits" in plan.why()
     assert read["fleet"][0]["endpoints"] == 678
     entries, every = read["remedies"] + read["combinations"], plan.remedies + plan.combinations
     assert list(table.index) == [entry["what"] for entry in entries]

@@ -136,7 +136,7 @@ def test_bad_files_and_counts_are_refused(tmp_path: Path) -> None:
         ([str(tmp_path / "none.txt")], "No such file"),
         (
             [str(TEXTS / "one_robot.txt"), "--processes", "3"],
-            "must be at most 2, a robot's nodes; got 3",
+            "must be at most 2, the node count; got 3",
         ),
         ([str(TEXTS / "one_robot.txt"), "--hosts", "0"], "hosts must be a finite number"),
     ):

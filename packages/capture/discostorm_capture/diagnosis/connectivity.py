@@ -287,7 +287,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
     for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
         text = f"none ever answered {hosts[index]}"
         if answered := join_names(hosts[reach.multicast_ok[index]]):
-            text = f"{hosts[index]} answers {answered}, but none of them ever answered it"
+            text = f"{hosts[index]} answers {answered}, but never got an answer back"
         yield Finding("one direction", (hosts[index],), text)
         deaf[:, index] = False
     yield from _single_pair_findings(reach, deaf, "never answered")

@@ -24,7 +24,7 @@ NODE_TOPICS, GRAPH_TOPIC = ("rt/rosout", "rt/parameter_events"), "ros_discovery_
 #: Topics that different processes of one host write.
 SHARED_TOPICS = (GRAPH_TOPIC, *(f"/{name}" for name in ("rosout", "parameter_events", "tf")))
 SHARED_TOPICS += ("/tf_static", "/diagnostics")
-#: Whether topics of a type are "written" or "read" on a robot, or written by a "single" host.
+#: Whether topics of a type are "published" or "read" on a robot, or published by a "single" host.
 _TOPIC_TYPES = read_data("diagnosis/robot_types.csv", "discostorm_capture")
 #: The finding if several hosts write a topic, by its use.
 FINDINGS_BY_USE = {"read": "several commanders", "single": "several clocks"}
@@ -44,9 +44,9 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
     pairs = zip(ends["topic"], ends["use"], strict=True)
     ends["what"] = [f"{ros_topic(topic)} is {use} by " for topic, use in pairs]
     wrote = ends[ends["writer"].eq(other=True)].groupby(["use", "scope", "topic"])
-    ends = ends[ends["use"].eq("written") == ends["writer"].astype(bool)]
-    ends = ends[ends["use"].isin(["written", "read"])]
-    ends = ends[ends["host"].isin(ends["host"][ends["use"].eq("written")])]
+    ends = ends[ends["use"].eq("published") == ends["writer"].astype(bool)]
+    ends = ends[ends["use"].isin(["published", "read"])]
+    ends = ends[ends["host"].isin(ends["host"][ends["use"].eq("published")])]
     for _, of_scope in ends.groupby("scope"):
         hosts = of_scope.groupby("what", sort=False)["host"].unique()
         shared = hosts[hosts.map(len) > 1]
@@ -191,7 +191,7 @@ def missing_publishers(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that alone do not publish a topic of a sensor, as the other robots do."""
     obs, ends, sends = evidence.obs, evidence.endpoints, evidence.obs.isin("kind", "User data")
     sent = {*zip(obs.sender_index[sends].tolist(), obs["writer"][sends].tolist(), strict=True)}
-    ends = ends[ends["type"].map(ros_type).map(USE_ON_ROBOTS).eq("written")]
+    ends = ends[ends["type"].map(ros_type).map(USE_ON_ROBOTS).eq("published")]
     keys = zip(ends["index"], ends["entity"], strict=True)
     # Samples of Zenoh do not show their topic here.
     sends = np.array([key in sent or not obs.is_rtps[key[0]] for key in keys], bool)
@@ -396,9 +396,9 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
             if len(both) == 2 and {*both["writer"]} == {True, False}:
                 is_service = both["topic"].iloc[0].startswith("rq/")
-                verbs = ("offered", "called") if is_service else ("read", "written")
+                sides = ("server", "client") if is_service else ("reader", "publisher")
                 named = zip(both["topic"].map(ros_topic), both["writer"], both["host"], strict=True)
-                text = [f"{topic} is only {verbs[use]} (by {host})" for topic, use, host in named]
+                text = [f"{of} has only a {sides[use]} (on {host})" for of, use, host in named]
                 yield Finding("topic names", (*both["host"].unique(),), join_names(text))
 
 

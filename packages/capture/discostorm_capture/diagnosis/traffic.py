@@ -155,7 +155,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         elif not served:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
             since = "" if np.isinf(last) else f" after {last:.1f} s"
-            spoke = f"it sent no discovery messages{since}"
+            spoke = f"{host} sent no discovery messages{since}"
             to = f"port {join_names([*map(str, sorted(tried))])} on {host}" if tried else host
             kind = "server down"
             if arp and not refused and np.isinf(last):  # without a process, it would send ICMP
