@@ -150,8 +150,8 @@ class Observations:
     def key_exchanges(self) -> set[tuple[int, int]]:
         """Pairs of processes of which the first sent the second its keys."""
         mask = self.isin("kind", NEW_KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
-        ends = self.sender_index[mask].tolist(), self.receiver_index[mask].tolist()
-        return set(zip(*ends, strict=True))
+        ends = self.rows_by(mask, self.sender_index, self.receiver_index)
+        return {(sender, receiver) for sender, receiver in ends}
 
     @cached_property
     def first_last(self) -> tuple[Array, Array]:

@@ -190,7 +190,7 @@ def stopped_topics(evidence: Evidence) -> Iterator[Finding]:
 def missing_publishers(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that alone do not publish a topic of a sensor, as the other robots do."""
     obs, ends, sends = evidence.obs, evidence.endpoints, evidence.obs.isin("kind", "User data")
-    sent = {*zip(obs.sender_index[sends].tolist(), obs["writer"][sends].tolist(), strict=True)}
+    sent = obs.rows_by(sends, obs.sender_index, obs["writer"])
     ends = ends[ends["type"].map(ros_type).map(USE_ON_ROBOTS).eq("published")]
     keys = zip(ends["index"], ends["entity"], strict=True)
     # Samples of Zenoh do not show their topic here.
@@ -417,7 +417,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
     """Yield services that never replied because they discovered the reply's reader too late."""
     obs, texts, lost, hosts = evidence.obs, list[str](), 0, dict[str, None]()
     data = obs.isin("kind", "User data")
-    sends = {*zip(obs.sender_index[data].tolist(), obs["writer"][data].tolist(), strict=True)}
+    sends = obs.rows_by(data, obs.sender_index, obs["writer"])
     ends = _endpoints_by_service(evidence)
     for service in sorted({service for service, *_ in ends}):
         asking, readers, writers = (

@@ -42,9 +42,8 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
     for process, gone in Counter(own[own >= 0].tolist()).most_common(1):
         if gone >= LIMITS.min_storm_share * len(last):
             topics = ends["topic"][ends["index"] == process].map(ros_topic).unique()
-            yield Finding.of(
-                "endpoints come and go", obs.hosts_of([process]), len(last), topics, gone
-            )
+            host = obs.hosts_of([process])
+            yield Finding.of("endpoints come and go", host, len(last), topics, gone)
             return
     new = obs.rows_by(obs.isin("kind", SEDP) & (obs.time >= last[0]), obs.sender_index, obs.seq)
     is_new = [key in new for key in zip(ends["index"], ends["number"], strict=True)]
