@@ -73,15 +73,20 @@ class Recording:
     duplicate_multicast_share: float = 0.0
 
 
+#: The sequence number of each announced endpoint, and the endpoint, None if unreadable, by process
+#: name and entity id.
+Endpoints = dict[tuple[str, int], tuple[int, Endpoint | None]]
+
+
 @dataclass(frozen=True)
 class Dissection:
     """The messages of a protocol, a `message_table`, and its processes by id."""
 
     messages: Columns
     processes: dict[int, Process]
-    #: Announced endpoints, by process name and entity id: the sequence number of the announcement,
-    #: and the endpoint, None if unreadable.
-    endpoints: dict[tuple[str, int], tuple[int, Endpoint | None]] = field(default_factory=dict)
+    endpoints: Endpoints = field(default_factory=dict)
+    #: Packets of samples with a time stamp in their content, with its seconds as ``to_port``.
+    time_stamps: Columns = field(default_factory=dict)
 
 
 def message_table(packets: Columns, rows: Array, protocol: int, kind: Array, **own: Any) -> Columns:

@@ -135,6 +135,12 @@ def endpoint_of_ros_token(token: re.Match[bytes]) -> Endpoint:
     )
 
 
+def key_of_ros_token(token: re.Match[bytes]) -> bytes:
+    """Return the key expression of the samples of a topic, given a token of rmw_zenoh."""
+    topic = token["topic"].replace(b"%", b"/").strip(b"/")
+    return b"/".join((token["domain"], topic, token["type"], token["hash"]))
+
+
 def ros_topic(topic: str) -> str:
     """Return the ROS 2 name of a DDS topic."""
     prefix, _, name = topic.partition("/")

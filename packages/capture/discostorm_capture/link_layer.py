@@ -42,8 +42,9 @@ class FramePayload(NamedTuple):
     direction: int = 0
     #: 1 if the frame is marked as an 802.11 retry.
     is_retry: int = 0
-    #: The MAC address of the sender; 0 if the link type lacks it.
+    #: The MAC addresses of the sender and of the receiver; 0 if the link type lacks them.
     mac: int = 0
+    to_mac: int = 0
 
 
 FramePayloads = Iterator[FramePayload]
@@ -99,8 +100,8 @@ def _read_ethernet(data: memoryview, at: int, end: int, point: int, _notes: Note
         ethertype, inner = _u16(data, at + 12)[0], at + 14
         if ethertype <= 1500:  # a length
             ethertype, inner = _skip_llc_snap(data, inner, end)
-        mac = _u16(data, at + 6)[0] << 32 | _u32(data, at + 8)[0]
-        yield FramePayload(ethertype, inner, end, point, mac=mac)
+        to_mac, mac = (_u32(data, at + n)[0] << 16 | _u16(data, at + n + 4)[0] for n in (0, 6))
+        yield FramePayload(ethertype, inner, end, point, mac=mac, to_mac=to_mac)
 
 
 def _read_sll(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> FramePayloads:

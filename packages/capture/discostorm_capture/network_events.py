@@ -1,31 +1,37 @@
 """Events that explain why discovery fails: ARP, ICMP errors, TCP connections, lost segments."""
 
+from collections import defaultdict
+from typing import Any
+
 import numpy as np
 
 from discostorm_capture import ip, link_layer, tcp
 from discostorm_capture._arrays import IdTable, concat, factorize, numbers_at, take_rows
 from discostorm_capture._types import Array, Bytes, Columns
 
-#: Kinds of events. Instead of a port, ARP and MAC have the sender's MAC address, and segments that
-#: arrived or vanished their payload size [B], time stamps their seconds, other traffic its bytes,
-#: jitter its milliseconds, and datagrams that are incomplete 0.
+#: Kinds of events. Instead of a port, ARP and MAC have the sender's MAC address, "to MAC" has the
+#: receiver's, and segments that arrived or vanished their payload size [B], time stamps their
+#: seconds, other traffic its bytes, jitter its milliseconds, and incomplete datagrams 0.
 EVENT_KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
     *("time stamp", "parts missing", "other traffic", "MAC", "prohibited"),
-    *("jitter", "incomplete", "unknown name"),
+    *("jitter", "incomplete", "unknown name", "to MAC"),
 )
 _ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
 _HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED = range(6, 11)
-_TIME_STAMP, _PARTS, _OTHER, _MAC, _PROHIBITED, _JITTER, _INCOMPLETE, _NO_NAME = range(11, 19)
-_ARP_BYTES, _DESTINATION_UNREACHABLE, _REASSEMBLY_TIMEOUT, _ECHOES = 28, 3, 0x0B01, (0, 8)
+_TIME_STAMP, _PARTS, _OTHER, _MAC, _PROHIBITED, _JITTER, _INCOMPLETE, _NO_NAME, _TO_MAC = range(
+    11, 20
+)
+_ARP_BYTES, _DESTINATION_UNREACHABLE, _REASSEMBLY_TIMEOUT = 28, 3, 0x0B01
+_ECHO_REPLY, _ECHO_REQUEST = 0, 8
 #: ICMP codes of a firewall that rejects a packet: network, host or communication (RFC 1812).
 _PROHIBITED_CODES = (9, 10, 13)
 #: A segment has vanished after this many transmissions without an acknowledgement.
 _MIN_TRANSMISSIONS = 3
 _DNS_PORT, _DNS_HEADER_BYTES = 53, 12
-#: The delays of a stream are compared if there are so many.
-_MIN_DELAYS = 50
+#: The delays of a stream, and of pings, are compared if there are so many.
+_MIN_DELAYS, _MIN_ECHOES = 50, 10
 
 
 def _event_table(kind: Array | int, **columns: Array) -> Columns:
@@ -107,15 +113,36 @@ def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
 
 
 def acknowledgement_jitter(streams: tcp.Streams, since: Array) -> Columns:
-    """Return one event for each stream of many segments: by how much their delays differ [ms].
+    """Return one event for each stream of many segments: by how much their delays differ [ms]."""
+    delays = [of for of in tcp.acknowledgement_delays(streams, since) if len(of[1]) >= _MIN_DELAYS]
+    return _jitter(streams.segments, delays)
+
+
+def echo_jitter(data: Bytes, packets: Columns, since: Array) -> Columns:
+    """Return the events of `acknowledgement_jitter` for ICMP echoes (`ping`), by pair of hosts."""
+    packets = take_rows(packets, (packets["protocol"] == ip.ICMP) & (packets["offset"] == 0))
+    ends = (packets[name].tolist() for name in ("source", "target"))
+    number = numbers_at(data, packets["at"] + 4, ">u4").tolist()
+    asked = dict[tuple[int, ...], int]()
+    delays = defaultdict[tuple[int, int], dict[int, float]](dict)
+    time = since[packets["frame"]]
+    for row, (source, target, one) in enumerate(zip(*ends, number, strict=True)):
+        if data[packets["at"][row]] == _ECHO_REQUEST:
+            asked[source, target, one] = row
+        elif (sent := asked.pop((target, source, one), -1)) >= 0:
+            delays[target, source][sent] = time[row] - time[sent]
+    often = [(min(of), [*of.values()]) for of in delays.values() if len(of) >= _MIN_ECHOES]
+    return _jitter(packets | {"to_port": packets["frame"]}, often)
+
+
+def _jitter(table: Columns, delays: list[tuple[int, Any]]) -> Columns:
+    """Return one event for each row of a table, given delays [s]: by how much these differ [ms].
 
     That is the 90 % less the 10 % quantile, which a long but steady path does not raise.
     """
-    delays = [of for of in tcp.acknowledgement_delays(streams, since) if len(of[1]) >= _MIN_DELAYS]
     rows = np.array([row for row, _ in delays], np.int64)
     jitter = [1e3 * np.diff(np.quantile(of, (0.1, 0.9))).item() for _, of in delays]
-    events = _events_of_rows(_JITTER, streams.segments, rows)
-    return events | {"port": np.array(jitter, np.int64)}
+    return _events_of_rows(_JITTER, table, rows) | {"port": np.array(jitter, np.int64)}
 
 
 def addressed_ports(datagrams: Columns) -> Columns:
@@ -141,18 +168,24 @@ def other_traffic(packets: Columns, frames: Array) -> Columns:
 def icmp_echoes(data: Bytes, packets: Columns) -> Columns:
     """Return one event of other traffic for each sender and receiver of ICMP echoes (`ping`)."""
     packets = take_rows(packets, (packets["protocol"] == ip.ICMP) & (packets["offset"] == 0))
-    packets = take_rows(packets, np.isin(data[packets["at"]], _ECHOES))
+    packets = take_rows(packets, np.isin(data[packets["at"]], (_ECHO_REPLY, _ECHO_REQUEST)))
     return _flows(packets, *factorize(packets["source"], packets["target"]))
 
 
 def mac_addresses(packets: Columns) -> Columns:
-    """Return two events for each IPv4 sender and MAC address: the first and the last packet."""
+    """Return two events for each IPv4 sender and MAC address, the first and the last packet.
+
+    And one for each pair of sender and receiver, and MAC address to which the packets go.
+    """
     packets = take_rows(packets, (packets["mac"] > 0) & (packets["ethertype"] == link_layer.IPV4))
     code, first = factorize(packets["source"], packets["mac"])
     last = np.full(len(first), -1)
     np.maximum.at(last, code, np.arange(len(code)))
     rows = np.concatenate([first, last])
-    return _events_of_rows(_MAC, packets, rows) | {"port": packets["mac"][rows]}
+    own = _events_of_rows(_MAC, packets, rows) | {"port": packets["mac"][rows]}
+    _, first = factorize(packets["source"], packets["target"], packets["to_mac"])
+    to = _events_of_rows(_TO_MAC, packets, first) | {"port": packets["to_mac"][first]}
+    return concat(own, to)
 
 
 def incomplete_datagrams(fragments: Columns, rows: Array) -> Columns:

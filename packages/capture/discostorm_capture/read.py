@@ -121,12 +121,14 @@ def _dissect_all(
         zenoh.dissect_zenoh(carried, scouts, others, streams, notes),
     ]
     frames = np.concatenate([part.messages["frame"] for part in dissections])
+    stamps = dissections[1].time_stamps
     both = datagrams, segments
     return dissections, concat(
         carried.network_events,
         network_events.two_way_exchanges(others),
         network_events.unknown_names(data, others),
         network_events.time_stamps(messages, *rtps.source_times(data, messages)),
+        network_events.time_stamps(stamps, np.arange(len(stamps["frame"])), stamps["to_port"]),
         network_events.connection_events(streams),
         network_events.arrived_and_vanished_segments(streams),
         network_events.acknowledgement_jitter(streams, since),

@@ -53,7 +53,9 @@ def parse_transport(packets: Packets, notes: Notes) -> IpContent:
     notes.add_where(np.isin(network["protocol"], ip.TUNNEL_PROTOCOLS), TUNNELS_NOTE)
     notes.add_where(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELS_NOTE)
     icmp = network_events.icmp_unreachable_events(data, network, addresses)
-    events = concat(arp, icmp, network_events.icmp_echoes(data, network), broken)
+    start = packets.table["time"].min(initial=0)
+    pings = network_events.echo_jitter(data, network, (packets.table["time"] - start) * 1e-9)
+    events = concat(arp, icmp, network_events.icmp_echoes(data, network), pings, broken)
     counts = {"ARP": len(arp["frame"])} | {
         name: int(network["parts"][network["protocol"] == protocol].sum())
         for name, protocol in (("UDP", ip.UDP), ("TCP", ip.TCP))

@@ -11,8 +11,21 @@ import numpy as np
 from discostorm_capture import ip, tcp, zenoh_messages, zenoh_tcp
 from discostorm_capture._arrays import IdTable, concat, cumcount, factorize, join_padded, take_rows
 from discostorm_capture._types import Array, Bytes, Columns, Notes
-from discostorm_capture.dissection import TCP, ZENOH, Dissection, Process, first_seen, message_table
-from discostorm_capture.endpoints import ROS_TOKEN_PATTERN, Endpoint, endpoint_of_ros_token
+from discostorm_capture.dissection import (
+    TCP,
+    ZENOH,
+    Dissection,
+    Endpoints,
+    Process,
+    first_seen,
+    message_table,
+)
+from discostorm_capture.endpoints import (
+    ROS_TOKEN_PATTERN,
+    Endpoint,
+    endpoint_of_ros_token,
+    key_of_ros_token,
+)
 from discostorm_capture.transport import IpContent
 from discostorm_capture.zenoh_messages import CODES, FRAGMENT, MORE_FLAG, SCOUTING_PORT, UNREADABLE
 
@@ -22,7 +35,8 @@ _ACK, _CONTROL, _RETRANSMISSION = range(3)
 _ROUTER, _UNKNOWN_ROLE = 0, 3
 _ROLES = ("router", "peer", "client")
 _code_of = zenoh_messages.MESSAGE_NAMES.index
-_HELLO, _TOKEN, _KEY_EXPRESSION = map(_code_of, ("Hello", "DeclareToken", "DeclareKeyExpr"))
+_HELLO, _TOKEN, _PUSH = map(_code_of, ("Hello", "DeclareToken", "Push"))
+_KEY_EXPRESSION = _code_of("DeclareKeyExpr")
 #: Codes of declarations of endpoints. A DeclareToken also declares one if it names one of ROS 2.
 _ENDPOINT_CODES = [*map(_code_of, ("DeclareSubscriber", "DeclareQueryable"))]
 #: IPv4 address of a locator in a Hello: where its process listens.
@@ -31,6 +45,10 @@ _LOCATOR = re.compile(rb"/((?:(?:25[0-5]|2[0-4]\d|1?\d?\d)\.){3}(?:25[0-5]|2[0-4
 _MIN_READABLE_SHARE = 0.8
 #: Head of the QoS extension of a fragment, which has its priority; flag of a reliable fragment.
 _QOS_EXTENSION, _RELIABLE_FLAG = 0x31, 0x20
+#: The attachment of a sample of rmw_zenoh: its sequence number, its time, the writer's GID
+#: (rmw_zenoh_cpp, src/detail/attachment_helpers.cpp); where it begins, at most [B].
+_ATTACHMENT = re.compile(rb"[\x43\xc3]\x21(.{8})(.{8})\x10.{16}", re.DOTALL)
+_MAX_ATTACHMENT_OFFSET = 100
 #: How sessions are opened, by stream.
 Openings = dict[int, zenoh_messages.SessionOpening]
 
@@ -49,6 +67,10 @@ class _Roster:
     token_counts: dict[int, int] = field(default_factory=dict)
     #: Frame, declaring process and text of each token that names an endpoint of rmw_zenoh.
     ros_tokens: list[tuple[int, int, re.Match[bytes]]] = field(default_factory=list)
+    #: The key expressions of samples; a message has the number of its own, plus 1, as ``writer``.
+    keys: IdTable = field(default_factory=IdTable)
+    #: Process, frame, source address and seconds of the time stamp of each sample of rmw_zenoh.
+    time_stamps: list[tuple[int, ...]] = field(default_factory=list)
     #: The longest list of listening addresses in one message of a process.
     listening_addresses: dict[int, set[int]] = field(default_factory=lambda: defaultdict(set))
     #: The version of the protocol with which a process opens sessions.
@@ -83,13 +105,17 @@ def dissect_zenoh(
         *_dissect_tcp_sessions(data, streams, seen),
     )
     names = [f"{int.from_bytes(zid, 'little'):x}" for zid in seen.zids.ids]  # as Zenoh writes it
-    domains, found = defaultdict[str, set[int]](set), dict[bytes, tuple[str, Endpoint | None]]()
+    domains, found = defaultdict[str, set[int]](set), dict[bytes, tuple[int, str, Endpoint]]()
+    publishers = defaultdict[bytes, dict[str, int]](dict)
     for _, declares, match in sorted(seen.ros_tokens, key=itemgetter(0)):
         # A router forwards tokens of other processes, whose own sessions may not be captured.
         session = match["session"].decode()
         name = session if session in names else [*names, ""][declares]
         domains[name].add(int(match["domain"]))
-        found.setdefault(match[0], (name, endpoint_of_ros_token(match)))
+        found.setdefault(match[0], (len(found) + 1, name, endpoint_of_ros_token(match)))
+        if match["kind"] == b"MP":
+            publishers[key_of_ros_token(match)].setdefault(name, found[match[0]][0])
+    _replace_keys(messages, seen, names, publishers)
     first = first_seen(seen.sightings, ip.is_loopback(transport.addresses))
     processes = {}
     for id_, name in enumerate(names):
@@ -109,8 +135,25 @@ def dissect_zenoh(
             domain=max(domains[name]) if len(domains[name]) == 1 else -1,
             version=seen.versions.get(id_, 0),
         )
-    ros = {(name, index): (0, end) for index, (name, end) in enumerate(found.values())}
-    return Dissection(messages, processes, ros)
+    ros: Endpoints = {(name, number): (0, end) for number, name, end in found.values()}
+    own = [row[1:] for row in seen.time_stamps if _ROUTER not in seen.roles[row[0]]]
+    frame, source, seconds = np.array(own, np.int64).reshape(-1, 3).T
+    stamps = {"frame": frame, "source": source, "target": source, "to_port": seconds}
+    return Dissection(messages, processes, ros, stamps)
+
+
+def _replace_keys(
+    messages: Columns, seen: _Roster, names: list[str], publishers: dict[bytes, dict[str, int]]
+) -> None:
+    """Replace the key expressions of samples by the ids of the endpoints that publish them."""
+    rows = np.flatnonzero(messages["writer"])
+    code, first = factorize(messages["process"][rows], messages["writer"][rows])
+    writers, keys = np.zeros(len(first), np.uint32), [*seen.keys.ids]
+    for index, row in enumerate(rows[first].tolist()):
+        of = publishers.get(keys[messages["writer"][row] - 1], {})
+        # A router forwards samples of other processes.
+        writers[index] = of.get([*names, ""][messages["process"][row]], min(of.values(), default=0))
+    messages["writer"][rows] = writers[code]
 
 
 def _dissect_scouting(data: Bytes, scouts: Columns, seen: _Roster, addresses: IdTable) -> Columns:
@@ -149,7 +192,7 @@ def _dissect_udp_sessions(data: Bytes, datagrams: Columns, seen: _Roster) -> lis
     frames = table["parts"][batch] * size / np.maximum(table["wire"][batch], 1)
     code = parsed["code"]
     messages = message_table(table, batch, ZENOH, code, bytes=size, udp=True, frames=frames)
-    return _add_fragments(data, parsed, messages, seen)
+    return _add_fragments(data, parsed, messages, reverse, seen)
 
 
 def _dissect_tcp_sessions(data: Bytes, streams: tcp.Streams, seen: _Roster) -> list[Columns]:
@@ -171,7 +214,7 @@ def _dissect_tcp_sessions(data: Bytes, streams: tcp.Streams, seen: _Roster) -> l
     done, frames = content.parts["done"][part], cost_end - cost_begin
     sizes = {"bytes": parsed["end"] - begin, "frames": frames, "missing": ~table["arrived"][done]}
     messages = message_table(table, done, ZENOH, parsed["code"], **sizes)
-    tables = _add_fragments(content.data, parsed, messages, seen)
+    tables = _add_fragments(content.data, parsed, messages, streams.opposite, seen)
     return [*tables, _tcp_segments(content, table, chosen)]
 
 
@@ -217,7 +260,9 @@ def _tcp_segments(content: tcp.StreamContent, table: Columns, chosen: Array) -> 
     return message_table(table, rows, TCP, kind, frames=table["parts"][rows], ends=closes, **sizes)
 
 
-def _add_fragments(data: Bytes, parsed: Columns, messages: Columns, seen: _Roster) -> list[Columns]:
+def _add_fragments(
+    data: Bytes, parsed: Columns, messages: Columns, opposite: Array, seen: _Roster
+) -> list[Columns]:
     """Return all messages, also from fragments; collect the endpoints that they declare."""
     tables, sources = [messages], [(data, parsed)]
     if fragments := _complete_fragments(data, parsed, seen.notes):
@@ -241,7 +286,33 @@ def _add_fragments(data: Bytes, parsed: Columns, messages: Columns, seen: _Roste
     for maxima, count in zip((seen.endpoint_counts, seen.token_counts), counts, strict=True):
         for (_, process), declarations in count.items():
             maxima[process] = max(maxima.get(process, 0), declarations)
+    _name_samples([*zip(sources, tables, strict=True)], opposite, seen)
     return tables
+
+
+def _name_samples(
+    parts: list[tuple[tuple[Bytes, Columns], Columns]], opposite: Array, seen: _Roster
+) -> None:
+    """Set the key expressions of samples, and the sequence numbers of those of rmw_zenoh."""
+    texts = dict[tuple[int, int], bytes]()
+    for (data, parsed), _ in parts:
+        for row, scope, suffix in zenoh_messages.key_expressions(data, parsed, _KEY_EXPRESSION):
+            stream = int(parsed["stream"][row])
+            texts[stream, int(parsed["number"][row])] = texts.get((stream, scope), b"") + suffix
+    for (data, parsed), table in parts:
+        for row, scope, suffix in zenoh_messages.key_expressions(data, parsed, _PUSH):
+            stream = int(parsed["stream"][row])
+            # The number is one that this side declared, or the other one.
+            stream = stream if parsed["head"][row] & MORE_FLAG else int(opposite[stream])
+            if key := texts.get((stream, scope), b"") + suffix:
+                table["writer"][row] = seen.keys.id_of(key) + 1
+            begin, end = int(parsed["at"][row]), int(parsed["end"][row])
+            end = min(end, begin + len(suffix) + _MAX_ATTACHMENT_OFFSET)
+            if found := _ATTACHMENT.search(data[begin:end].tobytes()):
+                number, nanoseconds = (int.from_bytes(part, "little") for part in found.groups())
+                table["number"][row] = number & 0x7FFFFFFF
+                sender = (int(table[name][row]) for name in ("process", "frame", "source"))
+                seen.time_stamps.append((*sender, nanoseconds // 10**9))
 
 
 def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list[int]]:

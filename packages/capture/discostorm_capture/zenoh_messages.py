@@ -6,7 +6,7 @@ is the number of a message; after ``@`` the number is the offset of the next par
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache, partial
 from typing import NamedTuple
 
@@ -221,6 +221,24 @@ def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
     order = np.argsort(columns[0], kind="stable")
     names = ("batch", "at", "end", "code", "head", "number")
     return {name: column[order] for name, column in zip(names, columns, strict=True)}
+
+
+def key_expressions(data: Bytes, messages: Columns, code: int) -> Iterator[tuple[int, int, bytes]]:
+    """Yield the row, scope and suffix of the key expression in each message of a kind.
+
+    The kind is that of a Push or of a declared key expression.
+    """
+    rows = np.flatnonzero(messages["code"] == code)
+    at, end, head = messages["at"][rows] + 1, messages["end"][rows], messages["head"][rows]
+    if MESSAGE_ROWS[code]["layer"] == "declare":
+        _, at = _read_layout("int?A ext?Z @", data, at, end, head)
+        head, (at, _) = data[at], _read_layout("int", data, at + 1, end, head)
+    scope, begin = _read_varint(data, at, end)
+    length, after = _read_varint(data, begin, end)
+    stop = np.where(head & ACK_FLAG > 0, _advance(after, end, length), after)
+    columns = (column.tolist() for column in (rows, scope, after, stop))
+    for row, prefix, first, last in zip(*columns, strict=True):
+        yield row, prefix, data[first:last].tobytes()
 
 
 def parse_scouting(

@@ -144,7 +144,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "address_by_dhcp",
             "10.77.0.3 got another address, but other hosts still look for it at the old one",
-            "10.77.0.3 has been 10.77.0.33 since 4.1 s",
+            "From 4.1 s on, packets of the same host came from 10.77.0.33 instead of 10.77.0.3",
             "Give this host a fixed address",
         ),
         (
@@ -454,7 +454,7 @@ def test_what_may_be_meant_is_said_above_a_healthy_fleet(
             "server_gets_new_address",
             "new address",
             "10.77.0.101",
-            "10.77.0.101 has been 10.77.0.150 since 11.3 s; since then, others sent 49 messages",
+            "packets of the same host came from 10.77.0.150 instead of 10.77.0.101; since then, others sent 49 messages",
             "Give this host a fixed address",
         ),
         (
@@ -694,6 +694,44 @@ def test_a_sensor_that_no_node_publishes_is_named_unless_no_robot_publishes_it()
         "/robot1/scan and /robot2/scan have one"
     )
     assert replace(capture, _endpoints=ends[~scans]).diagnosis().findings == ()
+
+
+def test_a_router_that_passes_on_a_part_of_the_samples_is_named() -> None:
+    found = diagnosis("router_limits_rate")
+    (one,) = found.findings
+    assert found.healthy
+    assert (one.kind, one.hosts) == ("samples skipped", ("10.77.0.101",))
+    assert "10.77.0.102 sent 10.77.0.101 only a part of these samples: 5 of 37 of" in one.evidence
+    assert "look for downsampling and low_pass_filter" in one.advice
+
+
+@pytest.mark.parametrize(
+    ("name", "sender", "to", "wrong"),
+    [
+        ("netmask_of_one_host", "10.77.0.3", "10.77.0.101", "fe, but those of 10.77.0.101"),
+        ("stale_arp_entry", "10.77.0.101", "10.77.0.2", "99, but those of 10.77.0.2 come"),
+    ],
+)
+def test_packets_to_a_foreign_mac_address_come_before_the_pair_that_they_part(
+    name: str, sender: str, to: str, wrong: str
+) -> None:
+    first, second = diagnosis(name).wrong
+    assert (first.kind, first.hosts) == ("wrong MAC", (sender,))
+    assert f"from {sender} to {to} go to the MAC address 02:00:00:00:00:{wrong}" in first.evidence
+    assert second.kind == "one direction of pairs"
+
+
+def test_a_process_that_speaks_from_another_address_is_named_with_both() -> None:
+    (found,) = diagnosis("robot_leaves_its_dock").findings
+    assert (found.kind, found.hosts) == ("new address", ("10.77.0.2",))
+    assert "10.77.0.52 instead of 10.77.0.2; since then, others sent" in found.evidence
+
+
+def test_late_pings_beside_an_upload_show_a_crowded_link() -> None:
+    (found,) = diagnosis("upload_fills_link").wrong
+    assert (found.kind, found.hosts) == ("crowded link", ("10.77.0.2",))
+    assert "mainly to 10.77.0.102" in found.evidence
+    assert "pings from 10.77.0.101 to 10.77.0.2 waited at least" in found.evidence
 
 
 def test_appended_files_do_not_set_the_clocks_of_hosts_back(tmp_path: Path) -> None:

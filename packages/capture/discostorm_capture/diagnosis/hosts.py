@@ -7,6 +7,7 @@ from itertools import product
 from statistics import median_high
 
 import numpy as np
+import pandas as pd
 
 from discostorm import _checks, wording
 from discostorm_capture._types import Array
@@ -53,8 +54,12 @@ def moved_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with a new address for which others still look at the old one."""
     obs = evidence.obs
     seen = obs.events("ARP request", "ARP reply", "MAC").query("sender != '0.0.0.0'")
-    seen = seen.groupby(["port", "sender"], observed=True)["time"].agg(["min", "max"])
-    for _, times in seen.groupby(level=0, observed=True):
+    named = obs.messages[obs.sender_index >= 0].rename(columns={"process": "port"})
+    names = ["port", "sender"]
+    both = [table.assign(**table[names].astype(str)) for table in (seen, named)]
+    seen = pd.concat(both).groupby(names)["time"].agg(["min", "max"])
+    found = dict[str, Finding]()
+    for _, times in seen.groupby(level=0):
         if len(times) != 2:
             continue  # a router has many addresses
         (old, new), span = (str(host) for _, host in times["min"].sort_values().index), times
@@ -63,7 +68,8 @@ def moved_hosts(evidence: Evidence) -> Iterator[Finding]:
         sent = obs.time[obs.isin("receiver", old)]
         late = sum(time > begin for time in asked) + int((sent > begin).sum())
         if span["max"].min() < begin and late >= LIMITS.min_requests:
-            yield Finding.of("new address", (old,), new, begin, late)
+            found.setdefault(old, Finding.of("new address", (old,), new, begin, late))
+    yield from found.values()
 
 
 def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
@@ -118,6 +124,23 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
         hosts = {*rows["sender"].astype(str)}
         if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
             yield Finding.of("duplicate MAC", sorted(hosts), _format_mac(int(str(mac))))
+
+
+def wrong_mac(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts to which another one sends packets under a MAC address that is not theirs."""
+    obs, own, used = evidence.obs, dict[str, set[int]](), dict[tuple[str, ...], set[int]]()
+    for _, host, _, mac, _ in obs.event_tuples("ARP request", "ARP reply", "MAC"):
+        own.setdefault(host, set()).add(mac)
+    for _, sender, receiver, mac, _ in obs.event_tuples("to MAC"):
+        used.setdefault((sender, receiver), set()).add(mac)
+    ends = {obs.hosts_of(pair.processes) for pair in evidence.incomplete_pairs}
+    for sender, receiver in sorted(ends | {pair[::-1] for pair in ends}):
+        macs, theirs = used.get((sender, receiver), set()), own.get(receiver, set())
+        # A host in another subnet gets its packets from a gateway.
+        if macs and theirs and not macs & theirs and obs.subnet_neighbors(sender, [receiver]):
+            names = ([*map(_format_mac, sorted(of))] for of in (macs, theirs))
+            text = say("wrong MAC", receiver, sender, *names)
+            yield Finding("wrong MAC", (sender,), text)
 
 
 def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:

@@ -75,16 +75,15 @@ def _was_off(obs: Observations, host: str, stop: float, start: float) -> Finding
 
 
 def slower_processes(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts with a process of DDS whose samples all get rarer than at first."""
+    """Yield hosts with a process whose samples all get rarer than at first."""
     obs = evidence.obs
     samples = obs["user"].astype(bool) & ~obs.isin("submessage", "ACKNACK", "HEARTBEAT")
+    samples &= obs["writer"] > 0
     by_writer: dict[int, dict[int, Array]] = {}
     for (process, writer), of in obs.rows_by(samples, obs.sender_index, obs["writer"]).items():
         new = np.unique(obs.seq[of], return_index=True)[1]  # once for all readers
         by_writer.setdefault(process, {})[writer] = obs.time[of[new]]
-    steady = [
-        one for one in by_writer if one >= 0 and obs.is_rtps[one] and not evidence.endings[one]
-    ]
+    steady = [one for one in {*by_writer} - {-1, *obs.servers} if not evidence.endings[one]]
     for process in steady:
         begin, end = (times[process] for times in obs.first_last)
         begin += LIMITS.startup_time

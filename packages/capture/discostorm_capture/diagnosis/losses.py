@@ -13,6 +13,7 @@ from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import Observations
+from discostorm_capture.endpoints import ros_topic
 from discostorm_capture.sentences import join_names, say
 
 #: Thresholds for loss of samples and of segments: minimum number of lost frames, minimum share, and
@@ -143,13 +144,38 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
 
 
 def late_deliveries(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts to which TCP segments are under way for long at times, if no frames are lost."""
+    """Yield hosts to which packets are under way for long at times, if few frames are lost."""
     late = evidence.obs.events("jitter")
     late = late[late["port"] >= 1e3 * LIMITS.min_jitter]
-    if len(late) and not [*frame_loss(evidence)]:
+    if len(late) and all(one.about == "event" for one in frame_loss(evidence)):
         for to, rows in late.groupby("receiver", observed=True):
             by = sorted({*rows["sender"].astype(str)})
-            yield Finding.of("late delivery", (str(to),), rows["port"].max(), by)
+            finding = Finding.of("late delivery", (str(to),), rows["port"].max(), by)
+            if crowded := _crowded_link(evidence.obs, finding.evidence):
+                yield crowded
+                return
+            yield finding
+
+
+def skipped_samples(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that get only part of the samples of a topic of rmw_zenoh, by their numbers."""
+    obs, known = evidence.obs, evidence.endpoints
+    known = known[~obs.is_rtps[known["index"]]]
+    topics = dict(zip(known["entity"], known["topic"], strict=True))
+    texts: dict[tuple[str, ...], list[str]] = {}
+    pushed = obs.isin("kind", "Push") & (obs.seq > 0) & (obs["writer"] > 0)
+    keys = obs.sender_index, obs.receiver_index, obs["writer"]
+    for (sender, receiver, writer), rows in obs.rows_by(pushed, *keys).items():
+        numbers = np.unique(obs.seq[rows])
+        count = int(np.ptp(numbers)) + 1
+        often = (np.diff(numbers) > 1).sum() >= LIMITS.min_calls
+        few = count - len(numbers) > LIMITS.min_repaired_share * count
+        # A gap of the capture is a gap in the numbers, too.
+        if few and often and min(sender, receiver) >= 0 and not obs.recording.gaps:
+            what = f"{len(numbers):,} of {count:,} of {ros_topic(topics.get(writer, 'a topic'))}"
+            texts.setdefault(obs.hosts_of((sender, receiver)), []).append(what)
+    for ends, said in texts.items():
+        yield Finding.of("samples skipped", ends[-1:], ends[0], said)
 
 
 def _crowded_link(obs: Observations, text: str) -> Finding | None:

@@ -21,6 +21,8 @@ from discostorm_capture.sentences import join_names, say
 
 #: Topics that each node of ROS 2 writes, and the topic on which processes list their nodes.
 NODE_TOPICS, GRAPH_TOPIC = ("rt/rosout", "rt/parameter_events"), "ros_discovery_info"
+#: Kinds of messages with samples of topics, in DDS and in Zenoh.
+SAMPLE_KINDS = ("User data", "Push")
 #: Topics that different processes of one host write.
 SHARED_TOPICS = (GRAPH_TOPIC, *(f"/{name}" for name in ("rosout", "parameter_events", "tf")))
 SHARED_TOPICS += ("/tf_static", "/diagnostics")
@@ -142,7 +144,7 @@ def uninformed_clients(evidence: Evidence) -> Iterator[Finding]:
 def short_lived_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with a process that left before it met its readers, or any other process."""
     obs, ends, texts = evidence.obs, evidence.endpoints, dict[str, str]()
-    wrote = obs.senders(obs.isin("kind", "User data"))
+    wrote = obs.senders(obs.isin("kind", *SAMPLE_KINDS))
     met = obs.senders((obs.receiver_index >= 0) & ~obs["multicast"])
     for process in sorted(evidence.brief_processes - wrote):
         host, (first, last) = obs.process_host[process], np.transpose(obs.first_last)[process]
@@ -164,9 +166,14 @@ def stopped_topics(evidence: Evidence) -> Iterator[Finding]:
     commands = ends["type"].map(ros_type).map(USE_ON_ROBOTS).eq("read")  # these end on purpose
     ends = ends[ends["writer"].eq(other=True) & ~commands]
     named = ends[~ends["topic"].isin(NODE_TOPICS)].set_index(["index", "entity"])["topic"]
-    named = named[named.astype(str).str.startswith("rt/")]
-    goodbyes, last = obs.time[obs["ends"]], obs.first_last[1]
-    sends = obs.isin("kind", "User data") & (obs.sender_index >= 0)
+    named = named[named.astype(str).str.match("rt/|/").to_numpy(bool)]
+    reads = evidence.endpoints[evidence.endpoints["writer"].eq(other=False)]
+    readers = reads.groupby("topic")["host"].unique()
+    withdrawn = obs["ends"] | obs.isin("submessage", "UndeclareSubscriber", "UndeclareToken")
+    goodbyes, last = obs.time[withdrawn], np.full(len(obs.processes) + 1, -np.inf)
+    spoken = ~obs.isin("protocol", "TCP")  # a system acknowledges also for a process that hangs
+    np.maximum.at(last, obs.sender_index[spoken], obs.time[spoken])
+    sends = obs.isin("kind", *SAMPLE_KINDS) & (obs.sender_index >= 0)
     for key, rows in obs.rows_by(sends, obs.sender_index, obs["writer"]).items():
         _, first = np.unique(obs.seq[rows], return_index=True)
         times = np.sort(obs.time[rows[first]])
@@ -176,25 +183,28 @@ def stopped_topics(evidence: Evidence) -> Iterator[Finding]:
         steady = (gaps < LIMITS.max_gap_ratio * np.median(gaps)).mean() >= LIMITS.min_steady_share
         # The readers, or their processes, may have left, too.
         host, pause = str(obs.process_host[key[0]]), gaps.max() + LIMITS.max_transit
-        there = np.isin(obs.process_host, [host, *obs.messages["receiver"].iloc[rows].unique()])
+        to = obs.messages["receiver"].iloc[rows].unique()
+        there = np.isin(obs.process_host, [host, *to, *readers.get(named[[key]].iloc[0], ())])
         ended = (np.abs(goodbyes - times[-1]) < pause).any() or (
             evidence.endings[there] != ""
         ).any()
-        silence = last[there & np.isfinite(last)].min() - times[-1]
+        silence = last[:-1][there & np.isfinite(last[:-1])].min() - times[-1]
         enough = max(LIMITS.steady_silence, LIMITS.min_pause_ratio * gaps.max())
-        if steady and not ended and silence > enough:
+        # If no topic goes on, the whole fleet stopped, as on purpose.
+        others = obs.time[sends].max() > times[-1] + pause
+        if steady and not ended and silence > enough and others:
             values = len(times), ros_topic(str(named[[key]].iloc[0])), times[0], times[-1], silence
             yield Finding.of("topic stops", (host,), *values)
 
 
 def missing_publishers(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that alone do not publish a topic of a sensor, as the other robots do."""
-    obs, ends, sends = evidence.obs, evidence.endpoints, evidence.obs.isin("kind", "User data")
+    obs, ends, sends = evidence.obs, evidence.endpoints, evidence.obs.isin("kind", *SAMPLE_KINDS)
     sent = obs.rows_by(sends, obs.sender_index, obs["writer"])
     ends = ends[ends["type"].map(ros_type).map(USE_ON_ROBOTS).eq("published")]
     keys = zip(ends["index"], ends["entity"], strict=True)
-    # Samples of Zenoh do not show their topic here.
-    sends = np.array([key in sent or not obs.is_rtps[key[0]] for key in keys], bool)
+    # Where a session of Zenoh is older than the capture, samples do not show their topic.
+    sends = np.array([key in sent or (key[0], 0) in sent for key in keys], bool)
     used = ends["writer"].astype(bool) & sends
     alike = ends["topic"].astype(str).str.replace(r"\d+", "#", regex=True)
     for _, group in ends.groupby([ends["scope"], alike]):
@@ -279,9 +289,9 @@ def silent_zenoh_services(evidence: Evidence) -> Iterator[Finding]:
 
 
 def log_flood(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts with a process of DDS that logs very often."""
+    """Yield hosts with a process that logs very often."""
     obs, logs = evidence.obs, evidence.endpoints
-    logs = logs[logs["topic"].eq("rt/rosout") & logs["writer"].eq(other=True)]
+    logs = logs[logs["topic"].isin(["rt/rosout", "/rosout"]) & logs["writer"].eq(other=True)]
     for process, writer, host in logs[["index", "entity", "host"]].itertuples(index=False):
         times = np.sort(_first_sample_times(obs, process, writer))
         seconds = np.unique(times.astype(np.int64), return_counts=True)[1]
@@ -469,7 +479,7 @@ def _first_sample_times(
     obs: Observations, process: int, writer: int, to: int | None = None
 ) -> Array:
     """Return when a process first sent each sample of a user writer, to one process or any [s]."""
-    data = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs["writer"] == writer)
+    data = obs.isin("submessage", "DATA", "DATA_FRAG", "Push") & (obs["writer"] == writer)
     data &= obs.sender_index == process if to is None else _messages_between(obs, process, to)
     rows = np.flatnonzero(data)
     _, first = np.unique(obs.seq[rows], return_index=True)
