@@ -78,11 +78,11 @@ class ErrorBand:
             self.up_to, f"with up to {self.most_endpoints:.0f} times as many endpoints"
         )
         inside = f"We expect {self.coverage or 0:.0%} of such swarms to be in this range"
-        more = inside if self.coverage else "These are too few swarms for a confidence interval"
+        more = inside if self.coverage else "That is too few swarms for a confidence interval"
         kept = self.points - 2 * points_outside_interval(self.points)
         part_of = "" if kept == self.points else f"{kept} of "
         return (
-            f"In {part_of}{self.points} swarms {where} that were not used for the fit, discovery "
+            f"In {part_of}{self.points} swarms that were not used for the fit ({where}), discovery "
             f"took {self.low:.2f} to {self.high:.2f} times the predicted airtime (typical error "
             f"{self.typical:.0%}). {more}{BEYOND_CLAUSE * self.beyond}."
         )

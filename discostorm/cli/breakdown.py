@@ -84,7 +84,7 @@ def breakdown(
         fleets.print_channels(fleet_input.fleet, wifi, output)
         payload = math.fsum(row["payload_bytes"] for row in rows) / len(channels)
         out.print_paragraph(
-            f"The messages of the first {window:g} s have {payload:,.0f} B of payload."
+            f"The messages in the first {window:g} s carry {payload:,.0f} B of payload."
         )
         fleets.print_fleet_note(fleet_input.fleet)
 

@@ -20,7 +20,7 @@ from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY, aggregation_bounds
 
 _MATCHING_RULE = (
-    "Results of measured models depend on the share of matching endpoints. We count ROS 2's own "
+    "Models fitted to measurements need the share of endpoints that match. We count ROS 2's own "
     "topics as shared by all processes, unless a fleet file sets `shared` (for other DDS or Zenoh "
     "programs, set it to 0)."
 )

@@ -133,6 +133,6 @@ def main() -> None:
       discostorm utilization --hosts 7 --processes 2 --endpoints 10 --protocol all
       discostorm plan fleet.toml
 
-    Is something wrong already? Start from your symptom, on the book's page "What is wrong with my
+    Is something wrong already? Start with your symptom: see the book's page "What is wrong with my
     robots?" (book/what_is_wrong).
     """

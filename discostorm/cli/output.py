@@ -45,7 +45,9 @@ def bad_input() -> Iterator[None]:
         why = "not enough memory for this; use a smaller fleet or file, or more memory"
         raise BadInput(why) from error
     except ValueError as error:
-        raise BadInput(visible(str(error))) from error
+        given = [flag for one in click.get_current_context().command.params for flag in one.opts]
+        flag = "--" * (f"--{str(error).split(' must ')[0]}" in given)
+        raise BadInput(visible(flag + str(error))) from error
 
 
 def visible(text: str) -> str:

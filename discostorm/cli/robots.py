@@ -20,7 +20,7 @@ COLUMNS = (
 def robots(output: Output) -> None:
     """List the ready-made robots and the operator's laptop, for --robot and fleet files.
 
-    Endpoint counts are means over a robot's processes. CSV and JSON name the source of each number.
+    Endpoint counts are means over a robot's processes. CSV and JSON output also names sources.
 
     \b
     Examples:
@@ -47,7 +47,7 @@ def robots(output: Output) -> None:
     print_table(rows, output, COLUMNS)
     if output.for_people:
         print_note(
-            "Endpoints are per process, nodes per robot. --robot also accepts short names, "
-            f"in the order of the table: {'; '.join(aliases)}. Case, spaces and hyphens don't "
-            "matter, so turtlebot4 works, too."
+            "Endpoints are counted per process, and nodes per robot. --robot also accepts short "
+            f"names, in the order of the table: {'; '.join(aliases)}. Case, spaces and hyphens "
+            "don't matter, so turtlebot4 works, too."
         )

@@ -97,7 +97,7 @@ def saturation(
 
     With a fleet file, FLEET, the command varies one group at a time and keeps the others fixed. If
     the file has [[cells]], each row says how many hosts of a group fill the channel of one cell,
-    which need not be the group's own. With --hosts, the command says whether that many hosts fit.
+    even if the group is in another one. With --hosts, the command says whether that many hosts fit.
 
     {matching}
 
@@ -136,7 +136,7 @@ def saturation(
     out.print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
     fleets.print_channels(own, aggregation_bounds(wifi)[1], output)
     if any(row["more_than"] is not None for row in rows):
-        out.print_note('"More than": we captured too few hosts of this kind to give a number.')
+        out.print_note('"More than" means that we captured too few such hosts for a number.')
     if aggregates:
         out.print_note(wording.AGGREGATION_NOTE)
     if fleets.is_all_wired(own):

@@ -34,7 +34,7 @@ def utilization(
 ) -> None:
     """Compute the airtime that the discovery of a fleet needs in one second.
 
-    If a fleet file lists topics ([[groups.data]]), their data get separate columns. If it lists
+    If a fleet file lists topics ([[groups.data]]), their data gets separate columns. If it lists
     access points ([[cells]]), each gets a separate row.
 
     {matching}

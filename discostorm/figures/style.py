@@ -45,7 +45,9 @@ def headline(figure: Figure, text: str) -> None:
 def protocol_colors(protocols: Iterable[Protocol]) -> list[Color]:
     """Return the color of each protocol's product, family or basis; else the next neutral."""
     neutral = cycle(color for color in PALETTE.values() if color.group == "neutral")
-    return [_own_color(protocol) or next(neutral) for protocol in protocols]
+    keys = [[(key, getattr(of, key)) for key in ("product", "family", "basis")] for of in protocols]
+    own = (next((PALETTE[key] for key in of if key in PALETTE), None) for of in keys)
+    return [color or next(neutral) for color in own]
 
 
 def color_of(protocol: AnyProtocol) -> str:
@@ -56,11 +58,6 @@ def color_of(protocol: AnyProtocol) -> str:
 def css_color_property(protocol: Protocol) -> str:
     """Return the custom property of ``palette.css`` for the color of a protocol."""
     return protocol_colors([protocol])[0].property
-
-
-def _own_color(protocol: Protocol) -> Color | None:
-    keys = (("product", protocol.product), ("family", protocol.family), ("basis", protocol.basis))
-    return next((PALETTE[key] for key in keys if key in PALETTE), None)
 
 
 #: The colors of `PROTOCOLS` by their names.

@@ -1072,7 +1072,7 @@ def test_a_reboot_has_the_commands_sentence(tab: Page, tmp_path: Path, hosts: st
         assert math.isinf(plan.discovery.today.times[-1])
         return
     assert numbers["simulated late median"] == plan.late_join.median
-    assert title.startswith("If one robot reboots, all others rediscover it ")
+    assert title.startswith("If one robot reboots, all others have rediscovered it ")
     check_command(tab, entries, tmp_path)
     assert answer_text.SENTENCES["other start"] in tab.locator("#calc-sure").inner_text()
 

@@ -92,6 +92,6 @@ def check_first_sentence(summary: str, cause: str, evidence: str, action: str) -
     """Check that the first sentence of a diagnosis has a cause, and evidence and action follow."""
     first, rest = summary.split(f": {cause}", 1)
     assert first.startswith(("Discovery is not healthy", "Discovery is neither healthy nor"))
-    assert "complete and over" not in first
+    assert "complete and settled" not in first
     assert evidence in rest
     assert action in rest

@@ -141,7 +141,7 @@ def test_few_swarms_give_no_interval() -> None:
     two = prediction_error.ErrorBand(0.9, 1.1, 0.1, 2, 2, 1, 1)
     assert two.coverage is None
     assert two.to_dict()["coverage"] is None
-    assert two.sentence().endswith("These are too few swarms for a confidence interval.")
+    assert two.sentence().endswith("That is too few swarms for a confidence interval.")
     # Of 39 swarms, the interval leaves out the least and the most, and still holds nine in ten.
     ratios = [1 + number / 100 for number in range(39)]
     assert lab.ratio_interval(ratios[:38]) == (1.0, 1.37)
@@ -319,7 +319,7 @@ def test_no_number_of_hosts_beyond_twice_the_measured_range() -> None:
     most = 2 * ds.PROTOCOLS[asked[-1]].captured[0]  # type: ignore[index]
     told = CliRunner().invoke(main, asked, input=fleet).output
     assert f"more than {most}" in told
-    assert '"More than": we captured too few hosts of this kind to give a number.' in told
+    assert '"More than" means that we captured too few hosts of this kind to give a number.' in told
     assert not re.search(r"\b\d{3,}\.\d\d\b", told)
     (row,) = json.loads(CliRunner().invoke(main, [*asked, "--json"], input=fleet).output)
     assert row["more_than"] == most < row["hosts"]

@@ -72,9 +72,9 @@ def test_simulate_says_first_when_all_know_each_other() -> None:
     times = read_json(told)["convergence_time"]
     said = wording.time_range(min(times), max(times))
     first = run("simulate|fleet.toml|--runs|2").stdout.splitlines()[0]
-    assert first == f"Your robots know each other after {said} (2 runs)."
+    assert first == f"Your robots have discovered each other after {said} (2 runs)."
     never = run("simulate|fleet.toml|--runs|2|--until|0.001").stdout.splitlines()[0]
-    assert never == "Your robots do not all know each other within 0.001 s (2 runs)."
+    assert never == "Not all robots discover each other within 0.001 s (2 runs)."
 
 
 def test_simulate_takes_every_ready_made_robot() -> None:

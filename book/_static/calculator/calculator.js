@@ -686,7 +686,7 @@
       ? ` The measured model of ${front.name} comes from captures of up to ${plural(hosts, "host")} and ${plural(processes, "process", "processes")} ` +
         `with up to ${plural(endpoints, "endpoint")} each.${beyond}${bandOf(front.protocol, all)}`
       : "";
-    return `The airtime assumes: ${MODEL.topology} · simultaneous startup · ${frames} · no losses · no collisions.${captured}`;
+    return `This estimate assumes: ${MODEL.topology} · simultaneous startup · ${frames} · no losses · no collisions.${captured}`;
   }
 
   /** How far a measured table was off where it was not fitted, as `discostorm.prediction_error.error_band` has it. */
@@ -775,7 +775,7 @@
     return {
       ...found,
       group: `${count(hosts)} ${groupName(settings, place, hosts)}`,
-      beside: rest.length ? `, together with ${rest.join(", ")}${last}` : "",
+      beside: rest.length ? `, plus ${rest.join(", ")}${last},` : "",
       total: `${count(total)} host${total === 1 ? "" : "s"}`,
     };
   }

@@ -172,7 +172,7 @@
     const { at, lost, done } = run.looks;
     let place = at.length - 1;
     while (place > 0 && at[place] > to) place--;
-    const known = `, ${Math.floor(100 * done[place])}% of the pairs of processes know each other`;
+    const known = `, ${Math.floor(100 * done[place])}% of process pairs have discovered each other`;
     const which = runs.length > 1 ? `${labelOf(run)}, ` : "";
     const when = runs.length > 1 && to >= run.length ? run.ended : `${clock.real(to).toFixed(2)} s after the start`;
     return `${which}${when}: ${deliveries(lost[place])} lost${known}.`;

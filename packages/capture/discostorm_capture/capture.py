@@ -141,7 +141,7 @@ class Capture:
         rows = rows.sort_values("host", key=lambda host: ~host.isin(serving), kind="stable")
         if not len(rows):
             what = "any process" if protocol is None else f"any {protocol} process"
-            raise CaptureError(f"{self.path}: it contains no message from {what}")
+            raise CaptureError(f"{self.path} contains no messages from {what}")
         by_host = rows.groupby("host", sort=False, observed=True)["endpoints"]
         like: dict[tuple[int, float, bool], list[str]] = {}
         for host, endpoints in by_host:
@@ -261,7 +261,7 @@ class Capture:
         return counts.traffic_totals(rows, self.duration)
 
     def diagnosis(self, expected: int | Sequence[str] | None = None) -> Diagnosis:
-        """Diagnose whether discovery is healthy, complete and over, and if not, what is wrong.
+        """Diagnose whether discovery is healthy, complete and settled, and if not, what is wrong.
 
         `expected` is the number of expected hosts, without those that run only servers, or the
         addresses of all expected hosts. Missing hosts are the first finding.
@@ -293,7 +293,7 @@ class Capture:
 
         rows, wifi = self._messages_without_shutdown(), as_wifi(wifi)
         if rows.empty:
-            raise CaptureError(f"{self.path}: it contains no message to draw")
+            raise CaptureError(f"{self.path} contains no messages to draw")
         channel = "the paper's channel" if wifi.name == PAPER.name else wifi.name
         return plot_messages_and_airtime(rows.assign(airtime_s=self.airtime(wifi, wired)), channel)
 

@@ -60,7 +60,7 @@ def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
         read = readers[interface]
         if read is None:
             link = packets.link_types[interface]
-            notes[f"packets of link type {link}, which we do not read"] += 1
+            notes[f"packets have link type {link}, which we do not read"] += 1
             continue
         for payload in read(data, begin, begin + size, interface, notes):
             ethertype, at, end, *seen = payload
@@ -68,7 +68,7 @@ def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
                 ethertype, at = _skip_vlan_and_pppoe(data, ethertype, at, end)
             if ethertype not in _IP_AND_ARP:
                 if ethertype >= _MIN_ETHERTYPE and ethertype not in _ETHERTYPES_WITHOUT_IP:
-                    notes[f"frames of EtherType 0x{ethertype:04x}, which we do not read"] += 1
+                    notes[f"frames have EtherType 0x{ethertype:04x}, which we do not read"] += 1
             elif at < end:
                 rows.extend((frame, ethertype, at, end, *seen))
     names = ("frame", *FramePayload._fields)

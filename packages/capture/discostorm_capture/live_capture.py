@@ -65,7 +65,7 @@ class PacketStream:
         """The error message if the stream ends now; "" if that is no error."""
         if not self.header:
             return f"{self.name}: ended before any packet arrived; is its source running?"
-        return f"{self.name}: it ended in the middle of a packet" if self._rest else ""
+        return f"{self.name}: ended in the middle of a packet" if self._rest else ""
 
 
 class Watch:

@@ -278,6 +278,6 @@ def _decompress_chunks(fetch: Callable[[], bytes], gzip: bool) -> Iterator[bytes
             if not rest and (gzip or expand.needs_input):
                 rest = fetch()
                 if not rest:
-                    raise EOFError("it ends too early; copy the file again")
+                    raise EOFError("ends too early; copy the file again")
         # Both formats allow zeros between and after files.
         rest = expand.unused_data.lstrip(b"\0") or fetch().lstrip(b"\0")

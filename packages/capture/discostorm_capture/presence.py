@@ -151,10 +151,10 @@ class Presence:
         """Summarize how many hosts are present, and which of them request messages again."""
         there = {host: activity for host, activity in self.hosts.items() if not activity.is_silent}
         text = (
-            f"Robots were running already when we began: {wording.count_noun(len(there), 'host')}"
+            f"Robots were already running when we began: {wording.count_noun(len(there), 'host')}"
         )
         if self.now - begin < (first := LIMITS.baseline_time):
-            return f"{text} so far. The first {first:.0f} s show how often each one sends."
+            return f"{text} so far. We first learn for {first:.0f} s how often each one sends."
         since = self.now - LIMITS.recent
         again = [host for host, activity in there.items() if activity.rerequested_at >= since]
         also = f"{join_names(again)} requested messages again" if again else "none asks for repeats"

@@ -26,7 +26,7 @@ def diagnosis(name: str) -> Diagnosis:
         (
             "duplicate_address",
             ("10.77.0.2",),
-            "packets from 10.77.0.2 come from several MAC addresses: 02:70:e3:74:4c:e8 and "
+            "packets from 10.77.0.2 come from more than one MAC address: 02:70:e3:74:4c:e8 and "
             "d2:40:a8:8f:03:84",
         ),
         (

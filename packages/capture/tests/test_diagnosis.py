@@ -90,7 +90,7 @@ def test_healthy_fleets_with_a_server_have_no_findings(name: str) -> None:
     diagnosis = ill(name).diagnosis()
     assert diagnosis.findings == ()
     assert (diagnosis.healthy, diagnosis.complete, diagnosis.over) == (True, True, True)
-    assert diagnosis.summary().startswith("Discovery is healthy, complete and over: ")
+    assert diagnosis.summary().startswith("Discovery is healthy, complete and settled: ")
 
 
 @pytest.mark.parametrize("name", ["fast_dds", "cyclone_dds_010", "zenoh_data"])

@@ -38,7 +38,7 @@ def test_with_a_number_the_present_ones_are_named() -> None:
     (finding,) = ds.read_capture(HEALTHY).diagnosis(5).findings
     assert finding.kind == "too few hosts"
     assert finding.evidence == (
-        "the capture shows 3 of 5 expected hosts: 10.77.0.1, 10.77.0.2 and 10.77.0.3"
+        "the capture shows 3 of 5 expected hosts (10.77.0.1, 10.77.0.2 and 10.77.0.3)"
     )
 
 
@@ -65,7 +65,7 @@ def test_missing_hosts_come_first() -> None:
     diagnosis = ds.read_capture(path).diagnosis(("10.77.0.1", "10.77.0.5"))
     assert diagnosis.findings[0].kind == "missing"
     assert diagnosis.summary().startswith(
-        "Discovery is not healthy: 10.77.0.5 is expected, but missing"
+        "Discovery is not healthy: 10.77.0.5 is expected but missing"
     )
 
 
@@ -91,7 +91,7 @@ def test_in_real_fleets_the_missing_hosts_are_named(name: str, tmp_path: Path) -
     there = join_words([one for one in addresses if one not in absent])
     for expected in (str(count), str(fleet)):
         first = run("--expect", expected, path=path)["findings"][0]
-        said = f"the capture shows {count - len(absent)} of {count} expected hosts: {there}"
+        said = f"the capture shows {count - len(absent)} of {count} expected hosts ({there})"
         own = first["evidence"].split(", not counting 10.77.0.101")[0]  # a server or router
         assert (first["kind"], own) == ("too few hosts", said)
     assert not {"missing", "too few hosts"} & {

@@ -859,7 +859,7 @@ def test_nothing_found(read: Read) -> None:
     capture = read(pcap([]))
     assert capture.messages().empty
     assert (capture.packets, capture.duration) == (0, 0.0)
-    with pytest.raises(CaptureError, match="no message from any process"):
+    with pytest.raises(CaptureError, match="no messages from any process"):
         capture.fleet()
     with pytest.raises(CaptureError, match="no message"):
         capture.picture()
@@ -1061,8 +1061,8 @@ def test_pppoe_is_read_and_other_types_are_noted(read: Read) -> None:
     ]
     # Of ARP and of PPP's echoes nothing is said: there is never anything in them.
     assert read(pcap(at(more))).notes == (
-        "3 frames of EtherType 0x8847, which we do not read",
-        "1 frames of EtherType 0x890d, which we do not read",
+        "3 frames have EtherType 0x8847, which we do not read",
+        "1 frames have EtherType 0x890d, which we do not read",
     )
     broken = [ethernet + b"\x08\0" + first + bytes(40) for first in (b"\x41", b"\x15", b"\x95")]
     assert read(pcap(at(broken))).notes == (

@@ -230,7 +230,7 @@ def _hosts_in_time_text(plan: Plan) -> str:
     hosts = max(group.hosts for group in groups if group.name == name)
     others = [hosts_in_words(g.hosts, g.name or "other host") for g in groups]
     del others[[g.name for g in groups].index(name)]
-    beside = f", together with {wording.join_words(others)}" * bool(others)
+    beside = f", plus {wording.join_words(others)}," * bool(others)
     values = {"count": count, "group": hosts_in_words(hosts, name or "hosts")}
     total = wording.count_noun(sum(g.hosts for g in groups) - hosts + count, "host")
     return fill("fewer", beside=beside, total=total, time=describe_time(time), **values)
@@ -365,7 +365,7 @@ def _describe_runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
         if runs > 1
     ]
     few = ", ".join(fill("long runs" if n > 1 else "hopeless run", runs=n) for n in counts[1:])
-    ranges = intervals[:1] + ["if there are fewer, all of them"] * (len(intervals) > 1)
+    ranges = intervals[:1] + ["with fewer runs, all of them"] * (len(intervals) > 1)
     return wording.count_noun(counts[0], "run") + f" ({few})" * bool(few), " or, ".join(ranges)
 
 

@@ -46,11 +46,11 @@ def format_explanation(plan: Plan, width: int) -> str:
     lines += ["", "The same fleet with each measured configuration:"]
     rests_on = [f"- {line}" for line in _basis_lines(plan)]
     basis = ["", "What these numbers rest on:", *rests_on] * bool(rests_on)
-    rest = len(plan.remedies) + len(plan.combinations) - number
+    rest = wording.count_noun(len(plan.remedies) + len(plan.combinations) - number, "more change")
     basis += [
         "",
         "`discostorm plan --paste NAME` prints the configuration for a change. `--json` lists all "
-        f"configurations, {wording.count_noun(rest, 'more change')}, and why it omits others.",
+        f"configurations and {rest}, and says why it omits other changes.",
     ]
     table = configuration_table(plan.configurations, width)
     return "\n".join([_wrap_lines(lines, width), *table, _wrap_lines(basis, width)])
@@ -132,15 +132,15 @@ def _airtime_lines(plan: Plan) -> Iterator[str]:
         yield f"When one robot{robot} reboots, discovery needs at least {low} of airtime."
     exchanges = "full A-MPDUs" if found.differs else "one message per frame"
     assumed = f"no losses · no collisions · {exchanges}"
-    yield f"Channel: {phrase(plan.wifi.name)}, {TOPOLOGY}. This airtime assumes: {assumed}."
+    yield f"Channel: {phrase(plan.wifi.name)}, {TOPOLOGY}. This estimate assumes: {assumed}."
 
 
 def _share_lines(plan: Plan) -> Iterator[str]:
     """Yield the largest message, the largest phase and the largest groups."""
-    yield "The largest parts of this airtime (they overlap):"
+    yield "The largest shares of this airtime (they overlap):"
     for kind, noun in (("message", "Message type"), ("phase", "Phase")):
         largest = plan.shares_of_kind(kind)[0]
-        yield f"- {noun}: {largest.name} ({wording.format_share(largest.share)})."
+        yield f"- {noun}: {phrase(largest.name)} ({wording.format_share(largest.share)})."
     groups = plan.shares_of_kind("group")
     for group in groups[:_MAX_GROUPS] * (len(groups) > 1):
         yield f'- Traffic to or from "{group.name}": {wording.format_share(group.share)}.'

@@ -91,7 +91,7 @@ def _format_error(line: str) -> str:
             "nor actions. Run it in ROS 2 Eloquent or later"
         )
     return (
-        f"{_checks.short_repr(line.strip())} is not output of any of these commands: "
+        f"{_checks.short_repr(line.strip())} is not the output of any of these commands: "
         f"{_describe(read_data('fleets/ros2_formats.csv'))}. "
         "Give only the output of these commands"
     )
@@ -123,14 +123,14 @@ def fleet_from_graph(
         spaces = len([name for name in robots if name])
         notes.append(
             f"{spaces} namespaces have the same node names, so we count {spaces} robots. "
-            "If all nodes belong to one robot, give the number of robots with --hosts"
+            "If all nodes belong to one robot, set the number of such robots with --hosts"
         )
     elif hosts is None:
-        notes.append("We count all nodes as one robot's. To set the number of robots, use --hosts")
+        notes.append("We count all nodes as one robot. To set the number of robots, use --hosts")
     if processes is None:
         notes.append(
             "ROS 2 does not say which nodes share a process, so we count one process per node, the "
-            "maximum. Give the number of processes on each robot with --processes"
+            "maximum. To set the number of processes on each robot, use --processes"
         )
     groups: dict[tuple[float, float, float], list[str]] = {}
     for name, (nodes, endpoints, with_services) in robots.items():

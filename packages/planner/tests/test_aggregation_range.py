@@ -117,11 +117,11 @@ def test_the_answer_comes_first_then_airtime_then_why() -> None:
     plan = ds.plan(fleet_of("Nav2 in one process", 8), FAST_DDS, AC)
     text = " ".join(plan.why().split())
     assert text.startswith("Drain time: startup keeps the channel busy for ")
-    order = ["Drain time", "of airtime", "Utilization in", "largest parts", "Changes, in the same"]
+    order = ["Drain time", "of airtime", "Utilization in", "largest shares", "Changes, in the same"]
     places = [text.index(part) for part in order]
     assert places == sorted(places)
     # Stored simulations are for the calculator; the discovery time is simulated anew.
-    assert "know each other" not in text
+    assert "discovered each other" not in text
 
 
 def test_a_change_may_make_it_fit() -> None:

@@ -209,8 +209,8 @@ def test_a_robot_that_starts_later_is_simulated_after_the_others() -> None:
     assert late.times == tuple(sorted(time - begin for time in found.convergence_time.tolist()))
     assert max(late.times) < today.median
     said = " ".join(plan.advice().split())
-    assert "If one robot reboots, all others rediscover it 0." in said
-    assert ", and no lease of another robot expires." in said
+    assert "If one robot reboots, all others have rediscovered it 0." in said
+    assert ", and no other robot's lease expires." in said
     again = plan.to_dict()["known_again"]
     assert again["median_s"] == late.median
     assert (again["low_s"], again["high_s"]) == late.median_interval
@@ -466,7 +466,7 @@ def test_what_stops_a_start_is_named() -> None:
     said = " ".join(plan.advice().split())
     assert said.startswith("No: 12 hosts do not complete discovery within 60 s")
     assert "Meanwhile, leases expire" in said
-    assert "of the pairs of processes know each other" in said
+    assert "of process pairs have discovered each other" in said
     said = " ".join(replace(plan, within=5.0).advice().split())
     told = "No, not within 5 s: 12 hosts do not complete discovery even within 60 s"
     assert said.startswith(told)

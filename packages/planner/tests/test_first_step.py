@@ -86,5 +86,5 @@ def test_times_beyond_those_watched_are_said_to_be_extrapolated() -> None:
         " ".join(ds.plan(ds.Fleet.swarm(n, 2, 10), "Fast DDS 2.6", "802.11g").advice().split())
         for n in (4, 8)
     ]
-    watched = "We watched real startups for at most 15 s, so we extrapolate to longer times."
+    watched = "We observed real startups for at most 15 s, and extrapolate beyond."
     assert [watched in one for one in said] == [False, True]

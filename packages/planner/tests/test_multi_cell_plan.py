@@ -49,7 +49,7 @@ def test_a_plan_tells_the_discovery_time_and_the_airtime_of_each_cell(tmp_path: 
     assert f"(Fast DDS 3.6, {where})" in said
     assert "Cells do not interfere" in said
     assert "one access point" not in said
-    assert "If one robot reboots, all others rediscover it" in said
+    assert "If one robot reboots, all others have rediscovered it" in said
     told = json.loads(run(tmp_path, CELLS + GROUPS, "--json").output)
     fleet = ds.Fleet.from_bytes((CELLS + GROUPS).encode(), "fleet.toml")
     needed = ds.cell_utilization("Fast DDS", fleet)

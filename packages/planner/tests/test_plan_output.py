@@ -132,7 +132,7 @@ def test_table_and_json_hold_the_same_numbers() -> None:
     assert read["left_out"] == list(plan.not_applicable) != []
     told = sum(map(len, plan.sections().values()))
     rest = len(plan.remedies) + len(plan.combinations) - told
-    assert f"{rest} more changes, and why it omits" in plan.why()
+    assert f"{rest} more changes, and says why it omits" in plan.why()
     assert read["fleet"][0]["endpoints"] == 678
     entries, every = read["remedies"] + read["combinations"], plan.remedies + plan.combinations
     assert list(table.index) == [entry["what"] for entry in entries]
@@ -241,7 +241,7 @@ def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
         within.split()
     )
     assert "we extrapolate" not in " ".join(within.split())
-    assert "This fleet exceeds these numbers, so we extrapolate." in " ".join(beyond.split())
+    assert "This fleet exceeds these limits, so we extrapolate." in " ".join(beyond.split())
     aggregated = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
     for size, verdict in (
         (2, "discovery fits"),

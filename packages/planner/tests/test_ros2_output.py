@@ -114,7 +114,7 @@ def test_every_format_has_a_text() -> None:
     ("given", "message"),
     [
         ("", "standard input must hold the output of `ros2 node list` or"),
-        ("hello\n", "standard input, line 1: 'hello' is not output of any of these commands: "),
+        ("hello\n", "standard input, line 1: 'hello' is not the output of any of these commands: "),
         ("/a\n  Subscribers:\n    nonsense\n", "standard input, line 3: 'nonsense' is not"),
         ("    /odom: nav_msgs/msg/Odometry\n", "standard input, line 1: "),
         (text("dashing"), "line 6: `ros2 node info` in ROS 2 Crystal"),

@@ -207,9 +207,9 @@ def _simulate_in_threads(setup: Setup, seeds: list[np.random.SeedSequence]) -> l
     free = available_megabytes()
     if megabytes > min(free, MAX_MEGABYTES):
         raise ValueError(
-            f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB; "
-            f"the simulator can use {MAX_MEGABYTES:.0f} MB, and {free:.0f} MB are available; "
-            f"got {setup.hosts.host_of.size} processes"
+            f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB, "
+            f"but the simulator can use at most {MAX_MEGABYTES:.0f} MB of the {free:.0f} MB "
+            f"available; got {setup.hosts.host_of.size} processes"
         )
     if seconds * len(seeds) > _ESTIMATE_FROM_S and sys.stderr is not None:
         about = f"of about {seconds / 60:.1f} min and {megabytes:.0f} MB each"

@@ -63,13 +63,13 @@ class RunOptions:
         runs = wording.count_noun(self.runs, "run")
         in_time = sorted(time for time in found.convergence_time.tolist() if time < float("inf"))
         if not in_time:
-            return f"Your robots do not all know each other {self.not_observed_text[4:]} ({runs})."
+            return f"Not all robots discover each other {self.not_observed_text[4:]} ({runs})."
         late = self.runs - len(in_time)
         missing = f", in {late} of them {self.not_observed_text}" if late else ""
         taken = wording.time_range(in_time[0], in_time[-1])
         lost = int((found.counts["expired"] > 0).sum())
         forget = f" Leases of running robots expire in {lost} of the runs." if lost else ""
-        return f"Your robots know each other after {taken} ({runs}{missing}).{forget}"
+        return f"Your robots have discovered each other after {taken} ({runs}{missing}).{forget}"
 
 
 def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
@@ -79,7 +79,7 @@ def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds
     busy = f"for {wording.duration(taken)}" if taken < float("inf") else "indefinitely"
     lost = wording.percent_range(found.lost.min(), found.lost.max())
     return (
-        f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then some "
+        f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then, some "
         f"robots do not see each other. In these runs, {lost} of the frames are lost for good. "
         "With recovery, startup takes longer."
     )
@@ -91,7 +91,7 @@ def compare_drain_times(with_data: ds.Simulation, without_data: ds.Simulation) -
         f"ends after {wording.duration(taken)}" if taken < float("inf") else "does not end"
         for taken in (median(one.drain_time.tolist()) for one in (with_data, without_data))
     )
-    return f" The simulated startup burst {longer} with your data, and {usual} without them."
+    return f" The simulated startup burst {longer} with your data, and {usual} without it."
 
 
 def _number_option(name: str, default: float, text: str, unit: str | None = None) -> Any:
@@ -143,7 +143,7 @@ def simulate(
     repeated without topics. A second table shows the samples' delays and the share of frames that
     arrived. Without recovery, hosts publish until the end of the run.
 
-    "Drained" is the end of the burst's last transmission, and "lost" the share of frames that never
+    "Drained" is the end of the burst's last transmission. "Lost" is the share of frames that never
     arrived. "Converged" is the time at which every process knows all others and their endpoints.
 
     {matching}

@@ -27,7 +27,7 @@ from discostorm.cli.fleet_options import standard_input
 from discostorm.cli.options import FILE_ARGS, wifi_options
 from discostorm.data import data_path
 from discostorm_capture.cli.diagnosis_output import OPTIONS, expect_option, read_command_help
-from discostorm_capture.diagnosis.finding import LIMITS
+from discostorm_capture.diagnosis.finding import LIMITS, to_sentence
 from discostorm_capture.sentences import say
 
 if TYPE_CHECKING:
@@ -209,7 +209,7 @@ def _print_state(state: Watch) -> None:
     click.echo(say("watched", state.packets, time, now, cli_output.visible(state.wifi.name), peak))
     text = [state.summary()]
     for since, finding in state.certain_findings.values():
-        text.append(f"- from {since:.0f} s on, {finding.summary}: {finding.evidence}")
+        text.append(f"- found at {since:.0f} s: {finding.summary}. {to_sentence(finding.evidence)}")
     for sentence in text:
         click.echo(cli_output.visible(wording.wrap(sentence)))
     kinds = [

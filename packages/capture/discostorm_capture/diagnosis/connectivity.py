@@ -61,7 +61,7 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
         wants = obs.time[asks & obs.isin("sender", host)]
         lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
         if sent.sum() >= LIMITS.min_unanswered and lasted >= LIMITS.timeout:
-            texts[host] = f"{sent.sum()} samples, requested {len(wants)} times"
+            texts[host] = f"{sent.sum()} samples, which it requested {len(wants)} times"
             links |= obs.links_of(obs.messages[sent])
         wanted = obs.time[asks & obs.isin("receiver", host)]
         often = len(wanted) >= LIMITS.min_messages and np.ptp(wanted) >= LIMITS.timeout
@@ -98,7 +98,7 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
         if enough and obs.host_first_last[host][1] - last >= LIMITS.max_pause:
             texts[ends] = f"{asker} ({len(times)} sent after {last:.1f} s)"
     said = _join_seconds((hosts[index], text) for (index, _), text in texts.items())
-    clauses = {host: f"{host} those of {of}" for host, of in said.items()}
+    clauses = {host: f"{host} acknowledges none from {of}" for host, of in said.items()}
     partly = {ends[0] for ends in asks if ends not in texts}
     mute = [*dict.fromkeys(ends[0] for ends in texts if ends[0] not in partly)]
     if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
@@ -129,7 +129,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     lost = {of: n for of, n in calls.items() if n + calls[of[::-1]] >= LIMITS.min_calls}
     vain |= {of: n for of, n in lost.items() if not {of, of[::-1]} & spoke}
     if vain:
-        said = [f"{a} to {b} ({wording.count_noun(n, 'time')})" for (a, b), n in vain.items()]
+        said = [f"from {a} to {b} ({wording.count_noun(n, 'time')})" for (a, b), n in vain.items()]
         yield Finding.of("no TCP", [*dict.fromkeys(called for _, called in vain)], said)
 
 
@@ -236,7 +236,7 @@ def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -
         text += say("settled", settled)
     elif obs.isin("kind", *MULTICAST_KINDS).all() and not any(others.values()):
         kind = "nobody hears, or filter"
-        text += ", and the capture contains neither an answer nor anything else"
+        text += ", but the capture contains nothing else, not even an answer"
     elif scope.protocol == "Zenoh" and (obs.seq[obs.isin("kind", "Scout")] == 1).all():
         kind, text = "no router", say("no router", hosts, count)
     else:
@@ -256,7 +256,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
     several = pairs.sum(axis=1) > 1
     hears_none, unheard = ((deaf.sum(axis) == pairs.sum(axis)) & deaf.any(axis) for axis in (1, 0))
     for index in np.flatnonzero(hears_none & unheard & several):
-        text = f"{hosts[index]} announces itself, answers no other host, and none answers it"
+        text = f"{hosts[index]} announces itself, but answers no other host and gets no answer"
         first = {host: obs.host_first_last[host][0] for host in hosts}
         stopped = first.pop(hosts[index]) - max(first.values()) >= LIMITS.timeout
         text += f"{say('multicast stopped') * stopped}{_describe_arp_replies(obs, hosts[index])}"
@@ -287,7 +287,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
     for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
         text = f"none ever answered {hosts[index]}"
         if answered := join_names(hosts[reach.multicast_ok[index]]):
-            text = f"{hosts[index]} answers {answered}, but never got an answer back"
+            text = f"{hosts[index]} answered {answered}, but never got an answer back"
         yield Finding("one direction", (hosts[index],), text)
         deaf[:, index] = False
     yield from _single_pair_findings(reach, deaf, "never answered")
@@ -301,7 +301,10 @@ def _single_pair_findings(reach: Reachability, matrix: Array, what: str) -> Iter
             mutual = kind == "pairs apart"
             ends = _join_seconds({(min(pair), max(pair)) for pair in pairs} if mutual else pairs)
             end = ", nor vice versa" * mutual
-            text = join_names([f"{one} {what} {of}{end}" for one, of in ends.items()], "; ")
+            said = [f"{one} {what} {of}{end}" for one, of in ends.items()]
+            if mutual and len(pairs) == 2:
+                said = [f"{pairs[0][0]} and {pairs[0][1]} {what.replace('gets', 'get')} each other"]
+            text = join_names(said, "; ")
             yield Finding(kind, tuple(dict.fromkeys(one for one, _ in pairs)), text)
 
 
@@ -314,7 +317,7 @@ def _join_seconds(pairs: Iterable[tuple[str, str]]) -> dict[str, str]:
 def _describe_arp_replies(obs: Observations, host: str) -> str:
     """Return a clause that a host answers ARP; "" if it does not."""
     count = int((obs.events("ARP reply")["sender"] == host).sum())
-    return f"; it answers ARP ({count} times), so frames do reach it" if count else ""
+    return f"; it answered {count} ARP requests, so frames do reach it" if count else ""
 
 
 def _outside_largest_subnet(reach: Reachability) -> Array:
@@ -478,7 +481,7 @@ def _explain_separation(obs: Observations, groups: list[set[str]]) -> Finding:
     looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
     if len(looking) > 1:
         sends = [(f"{to}, port {port},", host) for host in targets for to, port in targets[host]]
-        texts = [f"{to} gets multicast from {of}" for to, of in _join_seconds(sends).items()]
+        texts = [f"multicast to {to} comes from {of}" for to, of in _join_seconds(sends).items()]
         return Finding("other group", few, "; ".join(texts))
     if looking and served and looking[0] not in served:
         text = say("discovery by group", sorted(looking[0]), sorted(served[0] - looking[0]))

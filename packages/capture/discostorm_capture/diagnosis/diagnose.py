@@ -1,4 +1,4 @@
-"""Diagnose a capture: whether discovery is healthy, complete and over, and if not, why."""
+"""Diagnose a capture: whether discovery is healthy, complete and settled, and if not, why."""
 
 import tomllib
 from collections.abc import Iterable, Iterator
@@ -18,7 +18,7 @@ from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding, finding_kinds, to_sentence
 from discostorm_capture.diagnosis.observations import SEDP, Observations
 from discostorm_capture.dissection import json_rows
-from discostorm_capture.sentences import say
+from discostorm_capture.sentences import join_names, say
 
 RULES = tomllib.loads(data_path("diagnosis/rules.toml", "discostorm_capture").read_text("utf-8"))
 #: Maximum number of rows of a timeline in JSON; if there are more, the shortest time step [s].
@@ -206,7 +206,7 @@ class Diagnosis:
             if not len(self._hosts):
                 return "The capture shows no DDS or Zenoh discovery."
             return f"The capture does not show whether discovery is complete ({count})."
-        state = "complete and over" if self.over else "complete, but announcements continue"
+        state = "complete and settled" if self.over else "complete, but announcements continue"
         if self.healthy:
             state = "healthy, " + state if self.over else "healthy and " + state
         time = self.complete_at
@@ -214,8 +214,9 @@ class Diagnosis:
         when = when if np.isfinite(time) else ""
         if any(one.kind == UNDECIDED_KINDS[-1] for one in self.findings):
             seen = f"Only pairs that include {obs.vantage_host}"
-            return f"{seen} discovered each other{when} ({count})."
-        return f"Discovery is {state}: {count} discovered each other{when}{seen}."
+            return f"{seen} discovered each other{when and f', all{when}'} ({count})."
+        mark = ":" if self.over else "."
+        return f"Discovery is {state}{mark} {count} discovered each other{when}{seen}."
 
     def to_dict(self) -> dict[str, Any]:
         """Return all results as JSON can hold them; infinite and unknown times are null."""
@@ -314,7 +315,9 @@ def unexplained_pairs(evidence: Evidence, kind: str) -> Iterator[Finding]:
     obs, pairs = evidence.obs, evidence.incomplete_pairs
     if kind == "not authenticated":
         pairs = [pair for pair in pairs if {*pair.processes} & obs.secured_processes]
-    ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair.processes))) for pair in pairs)
+    ends = dict.fromkeys(" and ".join(obs.hosts_of(sorted(pair.processes))) for pair in pairs)
     if pairs:
         hosts = obs.hosts_of(process for pair in pairs for process in pair.processes)
-        yield Finding.of(kind, hosts, len(pairs), len(evidence.expected_pairs), [*ends])
+        yield Finding.of(
+            kind, hosts, len(pairs), len(evidence.expected_pairs), join_names([*ends], "; ")
+        )

@@ -282,13 +282,13 @@ def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
         if known and target not in there and np.ptp(times) >= LIMITS.timeout:
             requests.setdefault(target, {})[asker] = len(times)
     for target, counts in requests.items():
-        kind, text = "server off" if obs.messages.empty else "absent", ", but no answer came"
+        kind, text = "server off" if obs.messages.empty else "absent", ""
         if target in obs.process_host and not obs.subnet_neighbors(target, counts):
-            kind, text = "no route", f"{text}; others announced a process there"
+            kind, text = "no route", "; other hosts announced a process at this address"
             if near := obs.subnet_neighbors(target, sorted(obs.announced_addresses)):
                 text += say("same network", near, "is" if len(near) == 1 else "are")
-        asks = [f"{of} sent {times} ARP requests for {target}" for of, times in counts.items()]
-        yield Finding(kind, (target,), f"{join_names(asks)}{text}")
+        asks = join_names([f"{of} sent {times}" for of, times in counts.items()])
+        yield Finding(kind, (target,), f"ARP requests for {target} got no answer ({asks}){text}")
 
 
 def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:
@@ -319,7 +319,7 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
         seen = sorted(present - obs.server_hosts)
         if len(seen) < expected:
             text = f"the capture shows {len(seen)} of {expected} expected hosts"
-            text += f": {join_names(seen)}" if seen else ""
+            text += f" ({join_names(seen)})" if seen else ""
             if apart := present & obs.server_hosts:
                 text += f", not counting {join_names(sorted(apart))}, which seems to be a server"
             yield Finding("too few hosts", (), text)

@@ -276,7 +276,8 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
             who = obs.hosts_of(member for member in members if member in late)
             times = [pair.complete_at for pair in scope.pairs if {*pair.processes} & late]
             last = max(times, default=np.inf)
-            then = f", and discovery was complete {last - first:.1f} s later"
+            delay = f"{last - first:.1f} s" if last - first >= 0.05 else "less than 0.1 s"
+            then = f", and discovery was complete {delay} later"
             yield Finding.of("late joiner", who, first, then if last < np.inf else "")
             break
 

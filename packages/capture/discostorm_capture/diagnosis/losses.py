@@ -108,10 +108,10 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     most = ends[host]
     shares = {of: ends[of] / total[of] for of in sorted(apart)}
     if host:
-        text += f"; {wording.percent(most / again)} of the repeated frames were to or from {host}"
+        text += f"; {wording.percent(most / again)} of the resent frames were to or from {host}"
         own, full = shares[host], evidence.channel_use >= LIMITS.max_channel_use
         if most >= LIMITS.min_repeats and own >= LIMITS.min_weak_share and not full:
-            text += f", about {wording.percent(own)} of its {total[host]:,} frames"
+            text += f" (about {wording.percent(own)} of its {total[host]:,} frames)"
             yield _crowded_link(evidence.obs, text) or Finding("weak link", (host,), text)
             return
     # Little loss is normal on Wi-Fi, unless it delays discovery.
@@ -127,7 +127,7 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
         vantage, servers = evidence.obs.vantage_host, evidence.obs.hosts_of(evidence.obs.servers)
         many, own = len(shares) >= LIMITS.min_channel_hosts, vantage and vantage not in servers
         alike = min(shares.values()) >= max(LIMITS.min_weak_share, worst / 2)
-        text += f"; share lost by host: {each}" if many else ""
+        text += f"; share of frames lost per host: {each}" if many else ""
         if many and alike and own:  # the link of the host that recorded may be the common cause
             yield Finding("weak link", (str(vantage),), text)
             return
@@ -194,7 +194,7 @@ def _crowded_link(obs: Observations, text: str) -> Finding | None:
 
 def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
     """Report that processes answered later announcements of others, but not the first ones."""
-    obs, late = evidence.obs, list[str]()
+    obs, count, late = evidence.obs, 0, dict[tuple[str, str], list[str]]()
     announced = obs.isin("kind", "SPDP") & obs["multicast"]
     for pair in evidence.expected_pairs:
         ends, met = [*pair.processes], pair.first_contact
@@ -202,10 +202,12 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
         if begin + LIMITS.min_wait < met < np.inf and not {*ends} & evidence.early_processes:
             calls = obs.time[announced & (obs.sender_index == pair.subject)]
             if ((calls > begin) & (calls < met - LIMITS.max_transit)).any():
-                heard = " heard ".join(obs.process_host[ends[::-1]])
-                late.append(f"{heard} after {met - begin:.1f} s")
-    if len(late) >= LIMITS.min_calls:
-        yield Finding("multicast lossy", (), f"announcements came late: {join_names(late)}")
+                heard, by = obs.process_host[ends]
+                late.setdefault((by, f"{met - begin:.1f}"), []).append(heard)
+                count += 1
+    if count >= LIMITS.min_calls:
+        said = [f"{by} heard {join_names(of)} after {time} s" for (by, time), of in late.items()]
+        yield Finding("multicast lossy", (), f"announcements came late: {join_names(said, '; ')}")
 
 
 def _wilson_ci(count: int, total: int) -> tuple[float, float]:

@@ -30,6 +30,7 @@ SHARED_TOPICS += ("/tf_static", "/diagnostics")
 _TOPIC_TYPES = read_data("diagnosis/robot_types.csv", "discostorm_capture")
 #: The finding if several hosts write a topic, by its use.
 FINDINGS_BY_USE = {"read": "several commanders", "single": "several clocks"}
+VERBS = {"published": "publish", "read": "subscribe to"}
 USE_ON_ROBOTS = {row["type"]: row["robot"] for row in _TOPIC_TYPES}
 #: Process, entity id and number of the announcement, by service, "rq" or "rr", and if it writes.
 ServiceEndpoints = dict[tuple[str, str, bool], list[tuple[int, int, int]]]
@@ -43,8 +44,8 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
     """Yield robots that write their sensors, or read their commands, under the same names."""
     ends = evidence.endpoints
     ends = ends.assign(use=ends["type"].map(ros_type).map(USE_ON_ROBOTS))
-    pairs = zip(ends["topic"], ends["use"], strict=True)
-    ends["what"] = [f"{ros_topic(topic)} is {use} by " for topic, use in pairs]
+    pairs = zip(ends["topic"], ends["use"].map(VERBS), strict=True)
+    ends["what"] = [f"{verb} {ros_topic(topic)}" for topic, verb in pairs]
     wrote = ends[ends["writer"].eq(other=True)].groupby(["use", "scope", "topic"])
     ends = ends[ends["use"].eq("published") == ends["writer"].astype(bool)]
     ends = ends[ends["use"].isin(["published", "read"])]
@@ -53,8 +54,8 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
         hosts = of_scope.groupby("what", sort=False)["host"].unique()
         shared = hosts[hosts.map(len) > 1]
         if len(shared) >= LIMITS.min_shared_topics:
-            text = join_names([f"{what}{join_names(by)}" for what, by in shared.items()], "; ")
-            kind = "robots share topics" if " is read by " in text else "sources share topics"
+            text = join_names([f"{join_names(by)} {what}" for what, by in shared.items()], "; ")
+            kind = "robots share topics" if VERBS["read"] in text else "sources share topics"
             yield Finding(kind, tuple(sorted({*np.hstack([*shared])})), text)
     for (use, _, topic), rows in wrote:
         begins, ends_at = (times[rows["index"]] for times in evidence.obs.first_last)
@@ -154,7 +155,7 @@ def short_lived_processes(evidence: Evidence) -> Iterator[Finding]:
         readers = sorted({*read["host"]} - {host})
         earlier = (obs.first_last[0] < first) & (obs.process_host != host)
         if readers or (process not in met and earlier.any()):
-            what = f"sent no sample to {join_names(readers)}" if readers else "found no peers"
+            what = f"sent a sample to {join_names(readers)}" if readers else "found any peers"
             texts.setdefault(host, say("left early", host, last - first, what))
     if texts:
         yield Finding("left early", tuple(texts), "; ".join(texts.values()))
@@ -406,10 +407,10 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
             if len(both) == 2 and {*both["writer"]} == {True, False}:
                 is_service = both["topic"].iloc[0].startswith("rq/")
-                sides = ("server", "client") if is_service else ("reader", "publisher")
+                sides = ("server", "client") if is_service else ("subscriber", "publisher")
                 named = zip(both["topic"].map(ros_topic), both["writer"], both["host"], strict=True)
                 text = [f"{of} has only a {sides[use]} (on {host})" for of, use, host in named]
-                yield Finding("topic names", (*both["host"].unique(),), join_names(text))
+                yield Finding("topic names", (*both["host"].unique(),), join_names(text, "; "))
 
 
 def unknown_qos(evidence: Evidence) -> Iterator[Finding]:

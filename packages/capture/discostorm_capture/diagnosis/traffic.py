@@ -88,7 +88,9 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
         # If two processes share an id, the one unknown to others floods them.
         ports = {row[3] for row in obs.event_tuples("asked") if row[2] == host and row[3] % 2 == 0}
         if len(ports) > (obs.process_host == host).sum() == 1:
-            text += f"; others know only one process there, but send to {len(ports)} of its ports"
+            text += (
+                f"; others know only one process on {host}, but send to {len(ports)} of its ports"
+            )
             yield Finding("processes with one id", (host,), text)
             return
     yield Finding("flood", senders, text)
@@ -201,20 +203,22 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             continue
         text = f"{caller} opened {count} connections to port {port} on {host}, and "
         if (caller, host) in spoke and host not in {one for one, _ in spoke}:
-            closed.setdefault(host, []).append(f"{caller} opened {count} to port {port}")
+            closed.setdefault(host, []).append(f"{count} from {caller} to port {port}")
         elif (caller, host) in spoke:
             text += "each was closed before a session began"
             kind, versions = "session refused", obs.processes["version"]
             old, new = ({*versions[obs.process_host == end]} - {0} for end in (caller, host))
             if old and new and not old & new:
                 kind = "different releases"
-                text += f"; they speak versions {max(old)} and {max(new)} of the Zenoh protocol"
+                text += (
+                    f"; the two ends speak versions {max(old)} and {max(new)} of the Zenoh protocol"
+                )
             yield Finding(kind, (caller,), text)
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
-            text += "unlike others, sent no unencrypted Zenoh messages there"
+            text += "unlike the others, sent no unencrypted Zenoh messages there"
             yield Finding("wrong port", (caller,), text)
         elif port == ZENOH_PORT and obs.messages.empty:
-            without_session.setdefault(host, []).append(f"{caller} opened {count} to port {port}")
+            without_session.setdefault(host, []).append(f"{count} from {caller} to port {port}")
     for host, texts in closed.items():
         yield Finding.of("no router behind", (host,), texts)
     for host, texts in without_session.items():
@@ -224,7 +228,7 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         if len(rows) < LIMITS.min_calls or host in peers or np.ptp(times) < LIMITS.min_wait:
             continue
         counts = Counter(kinds).most_common()
-        text = join_names([f"{kind} {wording.count_noun(n, 'time')}" for kind, n in counts])
+        text = join_names([f"{wording.count_noun(n, 'attempt')} {kind}" for kind, n in counts])
         who = tuple(sorted({*callers}))
         if by_udp and (host, ZENOH_PORT) in taken:
             yield Finding("wrong port", who, say("TCP instead", who, host, ZENOH_PORT, text))
@@ -234,7 +238,7 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             by = wording.count_noun(len(who), "host")
             text = f"{by} failed to connect to port {ZENOH_PORT} on {host} ({text})"
             if (host, port) in taken:
-                text += f"; the last connection opened at {taken[host, port]:.1f} s"
+                text += f"; the last successful connection opened at {taken[host, port]:.1f} s"
             last = max([time for _, of, *_, time in arp if of == host], default=-np.inf)
             last = max(last, obs.host_first_last.get(host, (0.0, last))[1])
             asked, kind = [row for row in arp if row[2] == host and row[4] > last], "server down"

@@ -50,7 +50,7 @@ def input_field(
     """Return the data of an input field: label, default and allowed numbers."""
     low, high, above = allowed
     kind = "a whole number" if whole else "a number"
-    range_ = _checks.describe_range(low, high, above).replace("a finite number", kind)
+    range_ = _checks.describe_range(low, high, above, what=kind)
     return {
         "name": name,
         "label": label,

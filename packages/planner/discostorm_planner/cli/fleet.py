@@ -45,7 +45,7 @@ def fleet(file: str, hosts: float | None, processes: float | None, output: Outpu
     \b
       (ros2 node list; for node in $(ros2 node list); do ros2 node info $node; done) > ros2.txt
 
-    Comments in the resulting fleet file say what ROS 2 does not report, and which of these outputs
+    Comments in the resulting fleet file say what ROS 2 does not report, and which of these commands
     we never tried on a live system.
 
     \b
