@@ -282,9 +282,9 @@ const s223 = "in an emulated Wi-Fi cell without frame aggregation, real Cyclone 
 const s224 = {"measured": "Cyclone DDS", "range": "0.08 to 6.76", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
 const s225 = "--ds-product-cyclone-dds";
 const s226 = [
-[1, 1.67, 11.3, "In 24 swarms within these limits that were not used for the fit, discovery took 0.68 to 1.26 times the predicted airtime (typical error 9%). We expect 92% of such swarms to be in this range"],
-[2, 1.67, 11.3, "In 9 swarms within twice these limits that were not used for the fit, discovery took 0.94 to 1.44 times the predicted airtime (typical error 16%). We expect 80% of such swarms to be in this range"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times as many endpoints that were not used for the fit, discovery took 1.31 to 1.47 times the predicted airtime (typical error 39%). These are too few swarms for a confidence interval"],
+[1, 1.67, 11.3, "In 24 swarms that were not used for the fit (within these limits), discovery took 0.68 to 1.26 times the predicted airtime (typical error 9%). We expect 92% of such swarms to be in this range"],
+[2, 1.67, 11.3, "In 9 swarms that were not used for the fit (within twice these limits), discovery took 0.94 to 1.44 times the predicted airtime (typical error 16%). We expect 80% of such swarms to be in this range"],
+[Infinity, 1.67, 11.3, "In 2 swarms that were not used for the fit (with up to 11 times as many endpoints), discovery took 1.31 to 1.47 times the predicted airtime (typical error 39%). That is too few swarms for a confidence interval"],
 ];
 const s227 = {"until": [s165, [10, "slow at best"], s166], "never": s167};
 const s228 = {"second": 1, "lease": 10, "ever": Infinity};
@@ -334,7 +334,7 @@ const s271 = "the server forwards everything, as in Fast DDS 3.6";
 const s272 = "Cyclone DDS, wired";
 const s273 = "moving to ROS 2 Jazzy (Cyclone DDS)";
 const s274 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
-const s275 = [[1, 1, 1, "In 7 swarms within these limits that were not used for the fit, discovery took 0.95 to 1.13 times the predicted airtime (typical error 5%). We expect 75% of such swarms to be in this range"]];
+const s275 = [[1, 1, 1, "In 7 swarms that were not used for the fit (within these limits), discovery took 0.95 to 1.13 times the predicted airtime (typical error 5%). We expect 75% of such swarms to be in this range"]];
 const s276 = [s171, s175, s173, s232, s234];
 const s277 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s236];
 const s278 = 493.08762420957544;
@@ -359,9 +359,9 @@ const s296 = 232.6802973977695;
 const s297 = 226.06745510293473;
 const s298 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
 const s299 = [
-[1, 1.67, 11.3, "In 26 swarms within these limits that were not used for the fit, discovery took 0.72 to 1.32 times the predicted airtime (typical error 9%). We expect 93% of such swarms to be in this range"],
-[2, 1.67, 11.3, "In 11 swarms within twice these limits that were not used for the fit, discovery took 1.00 to 1.43 times the predicted airtime (typical error 22%). We expect 83% of such swarms to be in this range"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times as many endpoints that were not used for the fit, discovery took 1.28 to 1.48 times the predicted airtime (typical error 38%). These are too few swarms for a confidence interval"],
+[1, 1.67, 11.3, "In 26 swarms that were not used for the fit (within these limits), discovery took 0.72 to 1.32 times the predicted airtime (typical error 9%). We expect 93% of such swarms to be in this range"],
+[2, 1.67, 11.3, "In 11 swarms that were not used for the fit (within twice these limits), discovery took 1.00 to 1.43 times the predicted airtime (typical error 22%). We expect 83% of such swarms to be in this range"],
+[Infinity, 1.67, 11.3, "In 2 swarms that were not used for the fit (with up to 11 times as many endpoints), discovery took 1.28 to 1.48 times the predicted airtime (typical error 38%). That is too few swarms for a confidence interval"],
 ];
 const s300 = 432.2946357085669;
 const s301 = 726.2444541104828;
@@ -376,7 +376,7 @@ const s309 = 133.94982078853047;
 const s310 = 167.8055937643283;
 const s311 = "switching to Cyclone DDS 11";
 const s312 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
-const s313 = [[1, 1, 1, "In 7 swarms within these limits that were not used for the fit, discovery took 0.94 to 1.33 times the predicted airtime (typical error 5%). We expect 75% of such swarms to be in this range"]];
+const s313 = [[1, 1, 1, "In 7 swarms that were not used for the fit (within these limits), discovery took 0.94 to 1.33 times the predicted airtime (typical error 5%). We expect 75% of such swarms to be in this range"]];
 const s314 = {"count": "count11", "more": ["more31", "more32", "more2"]};
 const s315 = [s314, s314, s314];
 const s316 = {"count": "count12", "more": ["more33", "more34", "more35"]};
@@ -399,7 +399,7 @@ const s332 = 185.2367491166078;
 const s333 = 147.20074005550418;
 const s334 = 166.51716247139586;
 const s335 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
-const s336 = [[1, 1, 1, "In 7 swarms within these limits that were not used for the fit, discovery took 0.91 to 1.10 times the predicted airtime (typical error 8%). We expect 75% of such swarms to be in this range"]];
+const s336 = [[1, 1, 1, "In 7 swarms that were not used for the fit (within these limits), discovery took 0.91 to 1.10 times the predicted airtime (typical error 8%). We expect 75% of such swarms to be in this range"]];
 const s337 = 492.4140969162995;
 const s338 = 1040.4988009592325;
 const s339 = 965.8901890189019;
@@ -426,7 +426,7 @@ const s359 = "middleware and multicast endpoint data";
 const s360 = "one server, wired to the access point (measured with 2.9.1)";
 const s361 = {"measured": s149, "range": "0.72 to 1.63", "hosts": "12", "seconds": "15", "low": "0.72", "high": "1.63"};
 const s362 = "--ds-product-fast-dds";
-const s363 = [[1, 1, 1, "In 6 swarms within these limits that were not used for the fit, discovery took 1.00 to 1.10 times the predicted airtime (typical error 4%). We expect 71% of such swarms to be in this range"]];
+const s363 = [[1, 1, 1, "In 6 swarms that were not used for the fit (within these limits), discovery took 1.00 to 1.10 times the predicted airtime (typical error 4%). We expect 71% of such swarms to be in this range"]];
 const s364 = {"until": [s165, [20, "slow at best"], s166], "never": s167};
 const s365 = {"second": 1, "lease": 20, "ever": Infinity};
 const s366 = {"count": "count13", "more": ["more36", "more37", "more38"]};
@@ -503,7 +503,7 @@ s407,
 ];
 const s409 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
 const s410 = {"measured": "Fast DDS", "range": "0.97 to 2.03", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
-const s411 = [[1, 1, 1, "In 6 swarms within these limits that were not used for the fit, discovery took 1.00 to 1.05 times the predicted airtime (typical error 2%). We expect 71% of such swarms to be in this range"]];
+const s411 = [[1, 1, 1, "In 6 swarms that were not used for the fit (within these limits), discovery took 1.00 to 1.05 times the predicted airtime (typical error 2%). We expect 71% of such swarms to be in this range"]];
 const s412 = [
 [s373, "unicast", 636, 1, 0, 2, "up", s375],
 [s376, "unicast", 700, 1, 0, 2, "down", s377],
@@ -542,9 +542,9 @@ const s417 = "moving to ROS 2 Humble (Fast DDS 2.6)";
 const s418 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
 const s419 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
 const s420 = [
-[1, 1.67, 11.3, "In 11 swarms within these limits that were not used for the fit, discovery took 0.91 to 1.04 times the predicted airtime (typical error 3%). We expect 83% of such swarms to be in this range"],
-[2, 1.67, 11.3, "In 2 swarms within twice these limits that were not used for the fit, discovery took 0.95 to 1.22 times the predicted airtime (typical error 13%). These are too few swarms for a confidence interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times as many endpoints that were not used for the fit, discovery took 2.06 to 2.29 times the predicted airtime (typical error 118%). These are too few swarms for a confidence interval"],
+[1, 1.67, 11.3, "In 11 swarms that were not used for the fit (within these limits), discovery took 0.91 to 1.04 times the predicted airtime (typical error 3%). We expect 83% of such swarms to be in this range"],
+[2, 1.67, 11.3, "In 2 swarms that were not used for the fit (within twice these limits), discovery took 0.95 to 1.22 times the predicted airtime (typical error 13%). That is too few swarms for a confidence interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms that were not used for the fit (with up to 11 times as many endpoints), discovery took 2.06 to 2.29 times the predicted airtime (typical error 118%). That is too few swarms for a confidence interval"],
 ];
 const s421 = {"count": "count23", "more": ["more56", "more57", "more8"]};
 const s422 = [s421, s421, s421];
@@ -559,12 +559,12 @@ const s430 = 852.6666666666666;
 const s431 = "Heartbeat for others";
 const s432 = "ACKNACK of data";
 const s433 = "switching to Cyclone DDS";
-const s434 = [[1, 1, 1, "In 19 swarms within these limits that were not used for the fit, discovery took 0.86 to 1.68 times the predicted airtime (typical error 14%). We expect 90% of such swarms to be in this range"]];
+const s434 = [[1, 1, 1, "In 19 swarms that were not used for the fit (within these limits), discovery took 0.86 to 1.68 times the predicted airtime (typical error 14%). We expect 90% of such swarms to be in this range"]];
 const s435 = 773.5594083028471;
 const s436 = "ROS discovery info";
 const s437 = "ROS Heartbeat for others";
 const s438 = "ROS ACKNACK for others";
-const s439 = [[1, 1, 1, "In 16 swarms within these limits that were not used for the fit, discovery took 0.89 to 1.17 times the predicted airtime (typical error 5%). We expect 88% of such swarms to be in this range"]];
+const s439 = [[1, 1, 1, "In 16 swarms that were not used for the fit (within these limits), discovery took 0.89 to 1.17 times the predicted airtime (typical error 5%). We expect 88% of such swarms to be in this range"]];
 const s440 = [s171, s175, s173, s234, s232];
 const s441 = 1014.7323568575234;
 const s442 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
@@ -577,7 +577,7 @@ const s448 = ["announcements", s211, "", "Fast DDS 3.6, a longer announcement in
 const s449 = ["release", s417, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
 const s450 = ["release", s418, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
 const s451 = ["middleware", s215, "", s179, "Fast DDS 3.6", "middleware"];
-const s452 = [[1, 1, 1, "In 64 of 68 swarms within these limits that were not used for the fit, discovery took 0.90 to 1.57 times the predicted airtime (typical error 6%). We expect 91% of such swarms to be in this range"]];
+const s452 = [[1, 1, 1, "In 64 of 68 swarms that were not used for the fit (within these limits), discovery took 0.90 to 1.57 times the predicted airtime (typical error 6%). We expect 91% of such swarms to be in this range"]];
 const s453 = [s171, s175, s173, s234, [s233, s233, s233], s232];
 const s454 = 896.8584995251663;
 const s455 = 189.68085535606212;
@@ -610,7 +610,7 @@ const s481 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
 const s482 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
 const s483 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s482];
 const s484 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-const s485 = [[1, 1, 1, "In 10 swarms within these limits that were not used for the fit, discovery took 0.95 to 1.31 times the predicted airtime (typical error 5%). We expect 82% of such swarms to be in this range"]];
+const s485 = [[1, 1, 1, "In 10 swarms that were not used for the fit (within these limits), discovery took 0.95 to 1.31 times the predicted airtime (typical error 5%). We expect 82% of such swarms to be in this range"]];
 const s486 = [s369, s369, s369];
 const s487 = {"count": "count26", "more": ["more59", "more60"]};
 const s488 = {"count": "count27", "more": ["more61", "more62", "more63"]};
@@ -624,7 +624,7 @@ const s495 = "Listed unicast at discovery";
 const s496 = "Listed unicast for others";
 const s497 = "Listed unicast of endpoints";
 const s498 = "peers, each linked with each other (measured with 1.10.2)";
-const s499 = [[1, 1, 1, "In 10 swarms within these limits that were not used for the fit, discovery took 0.86 to 1.12 times the predicted airtime (typical error 8%). We expect 82% of such swarms to be in this range"]];
+const s499 = [[1, 1, 1, "In 10 swarms that were not used for the fit (within these limits), discovery took 0.86 to 1.12 times the predicted airtime (typical error 8%). We expect 82% of such swarms to be in this range"]];
 const s500 = [s172, {"count": "count28", "more": ["more64", "more65", "more66"]}, s233];
 const s501 = [s171, s175, s232, s173, s500, s234];
 const s502 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s481];
@@ -646,9 +646,9 @@ const s517 = "TCP ACK at start";
 const s518 = "TCP ACK of endpoints";
 const s519 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
 const s520 = [
-[1, 1.67, 11.3, "In 12 swarms within these limits that were not used for the fit, discovery took 0.90 to 1.41 times the predicted airtime (typical error 6%). We expect 85% of such swarms to be in this range"],
-[2, 1.67, 11.3, "In 4 swarms within twice these limits that were not used for the fit, discovery took 0.99 to 1.02 times the predicted airtime (typical error 1%). These are too few swarms for a confidence interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times as many endpoints that were not used for the fit, discovery took 0.93 to 1.15 times the predicted airtime (typical error 11%). These are too few swarms for a confidence interval"],
+[1, 1.67, 11.3, "In 12 swarms that were not used for the fit (within these limits), discovery took 0.90 to 1.41 times the predicted airtime (typical error 6%). We expect 85% of such swarms to be in this range"],
+[2, 1.67, 11.3, "In 4 swarms that were not used for the fit (within twice these limits), discovery took 0.99 to 1.02 times the predicted airtime (typical error 1%). That is too few swarms for a confidence interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms that were not used for the fit (with up to 11 times as many endpoints), discovery took 0.93 to 1.15 times the predicted airtime (typical error 11%). That is too few swarms for a confidence interval"],
 ];
 const s521 = 179.4287333522244;
 const s522 = 167.6030534351145;
@@ -1191,11 +1191,11 @@ return {
 "too busy": "No, not within {within}: {fleet} keep the channel busy for {drain} even if nothing is lost ({how}).",
 "endless": "No: {fleet} never complete discovery ({how}).",
 "unknown": "Not sure: {fleet} keep the channel busy for {drain} if nothing is lost ({how}), and their discovery time was not simulated.",
-"times": "Discovery time: {median} in the median run, at most {nine} in {most}.",
+"times": "Discovery time: {median} in the median run, and at most {nine} in {most}.",
 "times of some": "Discovery time: {median} in the median run, but {late} of {runs} runs do not finish within {until}.",
 "time of one": "Discovery time: {median} in the one run that was simulated.",
-"most pairs": "After {time}, {share} of the pairs of processes know each other.",
-"share of pairs": "After {until}, {share} of the pairs of processes know each other.",
+"most pairs": "After {time}, {share} of process pairs have discovered each other.",
+"share of pairs": "After {until}, {share} of process pairs have discovered each other.",
 "busy": "The channel goes idle after {median} (median). But {lost} of the messages are lost in transit, and we do not simulate how {protocol} recovers them.",
 "not simulated": "Not simulated: {reason}.",
 "periodic traffic fills": "Periodic traffic alone fills the channel.",
@@ -1204,9 +1204,9 @@ return {
 "air loses": "Collisions cost {lost} of all messages, more than {protocol} can resend in time.",
 "leases end": "Meanwhile, leases expire, so robots forget each other.",
 "data fits": "The channel has room for your data: after discovery, data and periodic traffic together need {airtime} of airtime per second.",
-"data may fit": "Your data fit only if radios aggregate frames well: after discovery, data and periodic traffic then need {airtime} of airtime per second. With one frame at a time, your data do not fit.",
+"data may fit": "Your data fits only if radios aggregate frames well: data and periodic traffic then need {airtime} of airtime per second once discovery is complete. Without aggregation, your data does not fit.",
 "data late": "Data may be late during startup: in its first second, discovery and data together need {airtime} of airtime.",
-"data does not fit": "Your data do not fit: even after discovery, data and periodic traffic together need {airtime} of airtime per second. First step: send fewer samples, or send them to fewer hosts.",
+"data does not fit": "Your data does not fit: even after discovery, data and periodic traffic together need {airtime} of airtime per second. First step: send fewer samples, or send them to fewer hosts.",
 "first": "First step:",
 "covered": "To be sure, make one of these changes, least effort first:",
 "faster": "These changes make it faster still, least effort first:",
@@ -1224,7 +1224,7 @@ return {
 "slower elsewhere": "real runs may take up to {times} times as long ({slow}); we have not measured any",
 "easier": "A change of less effort, but not complete within {within}:",
 "easier, perhaps": "A change of less effort, but perhaps not complete within {within}:",
-"fewer": "start no more than {count} of the {group} on this channel{beside}. These {total} need {time} to discover each other. We did not check by simulation whether the others can start later.",
+"fewer": "start no more than {count} of the {group} {beside} on this channel. These {total} need {time} to discover each other. We did not simulate whether the others can start later.",
 "stopgap": "First step: {fewer}",
 "until then": "Until you make such a change, {fewer}",
 "changes": "Then make one change that is enough for discovery:",
@@ -1243,33 +1243,33 @@ return {
 "cautious": "Not sure for {names}: {caution}.",
 "some leases": "leases expire in {forgetful} of {runs} runs",
 "lost": "{lost} of the messages are lost, and we do not simulate how they are recovered",
-"reboot": "If one robot reboots, all others rediscover it {time} after its nodes start, and {kept}.",
-"kept": "no lease of another robot expires",
-"not kept": "leases of other robots expire in {forgetful} of {runs} runs",
-"sure": "Confidence: we simulated {runs}, {until} each, with fixed seeds.",
+"reboot": "If one robot reboots, all others have rediscovered it {time} after its nodes start, and {kept}.",
+"kept": "no other robot's lease expires",
+"not kept": "other robots' leases expire in {forgetful} of {runs} runs",
+"sure": "Confidence: we simulated {until} of each startup in {runs} with fixed seeds.",
 "ranges": "Ranges span {interval}.",
-"long runs": "only {runs} if the startup is slow",
+"long runs": "only {runs} for slow startups",
 "hopeless run": "{runs} for startups that cannot succeed",
 "assumed": "Assumes: one access point, all robots in range, a simultaneous start, queues of 500 messages.",
-"most runs": "the second fastest to the second slowest of {runs} runs",
+"most runs": "the second-fastest to the second-slowest of {runs} runs",
 "all runs": "all {runs} runs",
 "both runs": "both runs",
 "never means": "'Never' means not within {until}.",
 "rounded": "In \"{name}\", a process has {mean} endpoints on average; we simulate {whole}.",
 "domain": "All hosts have ROS_DOMAIN_ID {domain}, which does not change these times.",
-"of paper: messages channel": "The messages and the channel are the paper's: set yours with `--protocol` and `--wifi`.",
-"of paper: messages": "These are the paper's messages. For those of a product, use `--protocol`.",
-"of paper: channel": "The channel is the paper's: set yours with `--wifi`.",
+"of paper: messages channel": "This answer uses the paper's messages and channel. To set yours, use `--protocol` and `--wifi`.",
+"of paper: messages": "This answer uses the paper's messages. To use a product's messages, set `--protocol`.",
+"of paper: channel": "This answer uses the paper's channel. To set yours, use `--wifi`.",
 "server": "We assume that the server or router is wired to the access point and is not one of your hosts.",
 "extrapolated": "We measured {protocol} in fleets of up to {hosts}; beyond that, we extrapolate.",
 "air": "For startups longer than 1.5 s, real {measured} in an emulated Wi-Fi cell of up to {hosts} hosts took {range} times as long as in the simulation.",
-"watched": "We watched real startups for at most {seconds} s, so we extrapolate to longer times.",
+"watched": "We observed real startups for at most {seconds} s, and extrapolate beyond.",
 "not compared": "Real runs may take up to {high} times as long (we have not measured any).",
 "server not compared": "Real startups with a server or router may take up to {high} times as long (we have not measured any).",
 "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
 "cell": "Cell \"{cell}\": the startup needs {airtime} of airtime in its first second.",
 "assumed of cells": "Assumes: all robots in range of their access points, a simultaneous start, queues of 500 messages. Cells do not interfere, and messages between access points take no time. We do not compare other radios and channels: to try others, change the fleet file and plan again.",
-"surer": "To check, run `discostorm capture` on a recorded startup.",
+"surer": "To check this answer, run `discostorm capture` on a recorded startup.",
 "why": "`--why` explains the answer.",
 "all": "`--all` lists all changes that we tried.",
 "searching": "Next we check how many robots can start unchanged, and look for smaller changes that suffice.",
@@ -1279,6 +1279,13 @@ return {
 "other start": "Changes are compared for robots that start together.",
 "paper (802.11n)": "802.11n as in the Discovery Storm paper",
 "own channel": "your own channel",
+"SPDP unicast for others": "SPDP unicast triggered by third processes",
+"Declare key expression passed on": "Declare key expression, forwarded",
+"Declare key expression of node passed on": "Declare key expression of a node, forwarded",
+"Declare token passed on": "Declare token, forwarded",
+"Declare token of node passed on": "Declare token of a node, forwarded",
+"Declare passed on": "Declare, forwarded",
+"OAM passed on": "OAM, forwarded",
 "DDS, periods of Fast DDS": "DDS with Fast DDS timers",
 "DDS, periods of Cyclone DDS": "DDS with Cyclone DDS timers",
 "Zenoh, periods of Zenoh peer": "Zenoh with peer timers",
@@ -1300,22 +1307,22 @@ return {
 "hybrid, alike": "the hybrid discovery with identical hosts",
 "never fits": "The periodic traffic alone needs {share} of the channel, so the fleet never fits, however slowly it starts.",
 "drain time": "Drain time: {busy}. {why}",
-"sooner": "Discovery can finish sooner, because dropped messages need no airtime, and the last repeats are sent after discovery is complete.",
-"later": "Discovery takes longer, because processes wait before they answer and before they repeat lost messages.",
+"sooner": "Discovery can finish sooner, because dropped messages need no airtime, and the last retransmissions come after discovery is complete.",
+"later": "Discovery takes longer, because processes wait before they answer and before they resend lost messages.",
 "full A-MPDUs": "The drain time assumes full A-MPDUs. With fewer frames queued, A-MPDUs are less full.",
 "may never fit": "The fleet may never fit: with one message per frame, its periodic traffic alone needs {share} of the channel.",
 "reply wait": "While nodes start, service servers need a max_blocking_time (reliability QoS) of {wait} or more. The Fast DDS default is {usual}.",
 "endless reply wait": "For services called while nodes start, no max_blocking_time is long enough, because some pairs never complete discovery.",
-"data load": "Your data need {data} of the channel, or {both} together with periodic discovery traffic. So your data {fit} once discovery is complete.",
-"data load and little else": "Together with periodic discovery traffic, your data need {both} of the channel. So your data {fit} once discovery is complete.",
+"data load": "Your data needs {data} of the channel, or {both} together with periodic discovery traffic. So your data {fit} once discovery is complete.",
+"data load and little else": "Together with periodic discovery traffic, your data needs {both} of the channel. So your data {fit} once discovery is complete.",
 "data during startup": "In {time}, discovery and data together need {airtime} of airtime, so your data {fit} during startup.",
-"data wait": "If robots sent all data from the beginning, startup would keep the channel busy for {time} instead of {alone}. Data wait no longer than the channel is busy, and in practice less, because robots send only to robots that they have discovered. `discostorm simulate` shows when discovery is complete, and how late the data are.",
+"data wait": "If robots sent all data from the beginning, startup would keep the channel busy for {time} instead of {alone}. Data waits at most as long as the channel is busy. In practice, it waits less, because robots send only to robots that they have discovered. `discostorm simulate` shows when discovery is complete and how late the data is.",
 "no room for data": "The channel can never carry discovery and all your data. Send fewer samples, or send them to fewer hosts.",
 "captured": "The measured model of {name} comes from captures of up to {hosts} that started together, with up to {processes} in all and {endpoints} per process.",
-"beyond captures": "This fleet exceeds these numbers, so we extrapolate.",
+"beyond captures": "This fleet exceeds these limits, so we extrapolate.",
 "as the paper": "We count {names} as the paper does, although the product packs some of these messages together and sends other types as well.",
 "whole burst": "We count the whole startup burst within {window}, and periodic traffic at its average rate. This can only overstate the airtime.",
-"standard timing": "For other radios, we use the timing of the 802.11 standard. With that timing, your unchanged fleet needs {airtime}.",
+"standard timing": "For radios other than the paper's, we use the timing of the 802.11 standard. With that timing, your unchanged fleet needs {airtime}.",
 "nothing to write": "Your startup already works, so nothing needs changing, and we wrote no files. To write the configuration for a change anyway, name the change: --paste NAME.",
 "nothing written": "--write: we are not sure that any configuration change is enough, so we wrote no files. Run the command without --write to see what helps, then name a change: --paste NAME",
 },
@@ -2396,7 +2403,7 @@ s257,
 "has_server": false,
 "color": s362,
 "measured": [8, 8, 10],
-"band": [[1, 1, 1, "In 6 swarms within these limits that were not used for the fit, discovery took 0.97 to 1.16 times the predicted airtime (typical error 3%). We expect 71% of such swarms to be in this range"]],
+"band": [[1, 1, 1, "In 6 swarms that were not used for the fit (within these limits), discovery took 0.97 to 1.16 times the predicted airtime (typical error 3%). We expect 71% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
@@ -2985,7 +2992,7 @@ s516,
 "has_server": true,
 "color": s529,
 "measured": [8, 12, 10],
-"band": [[1, 1, 1, "In 7 swarms within these limits that were not used for the fit, discovery took 0.84 to 1.18 times the predicted airtime (typical error 10%). We expect 75% of such swarms to be in this range"]],
+"band": [[1, 1, 1, "In 7 swarms that were not used for the fit (within these limits), discovery took 0.84 to 1.18 times the predicted airtime (typical error 10%). We expect 75% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -3059,7 +3066,7 @@ s548,
 "has_server": false,
 "color": s529,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 11 swarms within these limits that were not used for the fit, discovery took 0.84 to 1.25 times the predicted airtime (typical error 2%). We expect 83% of such swarms to be in this range"]],
+"band": [[1, 1, 1, "In 11 swarms that were not used for the fit (within these limits), discovery took 0.84 to 1.25 times the predicted airtime (typical error 2%). We expect 83% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -3120,7 +3127,7 @@ s548,
 "has_server": true,
 "color": s529,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 6 swarms within these limits that were not used for the fit, discovery took 0.85 to 1.18 times the predicted airtime (typical error 15%). We expect 71% of such swarms to be in this range"]],
+"band": [[1, 1, 1, "In 6 swarms that were not used for the fit (within these limits), discovery took 0.85 to 1.18 times the predicted airtime (typical error 15%). We expect 71% of such swarms to be in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,

@@ -223,6 +223,7 @@ def test_a_server_that_refuses_is_told_at_once(name: str, port: int) -> None:
     assert (when < 1.5, kinds) == (True, ["refuses"])
     text = next(text for _, text, kinds, _ in each_second(content) if "refuses" in kinds)
     assert ". 10.77.0.101 refuses packets from 10.77.0." in text
+    assert f"to port {port}" in text
 
 
 def test_a_port_of_other_programs_that_is_closed_is_no_refusal() -> None:
