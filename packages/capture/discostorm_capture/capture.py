@@ -74,9 +74,10 @@ class Capture:
         ``process`` and ``peer``, its sending and receiving process, "" if unknown; ``submessage``,
         its name in RTPS or Zenoh; ``ends``, whether it withdraws an announcement or closes a
         connection; ``copy``, whether it repeats an earlier packet; ``transport``; ``frames``, its
-        share of packets [1]. Only RTPS has ``entity``, what the message concerns; ids of ``reader``
-        and ``writer``; ``number``, the sequence number of a sample, of the last one of a Heartbeat,
-        or of the first one that an ACKNACK requests; ``missing``, how many samples it requests
+        share of packets [1]. Samples of RTPS and rmw_zenoh have ``writer``, the id of an endpoint,
+        and ``number``, their sequence number. Only RTPS has ``entity``, what the message concerns;
+        the id of the ``reader``; the last ``number`` of a Heartbeat, and the first one that an
+        ACKNACK requests; ``missing``, how many samples it requests
         (with Zenoh 1 if TCP never acknowledged the message); ``holes``, whether it has later
         samples, or, of a Heartbeat, whether it demands an answer; ``size``, octets to the next
         header [B].
