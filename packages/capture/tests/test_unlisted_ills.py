@@ -726,6 +726,35 @@ def test_a_process_that_speaks_from_another_address_is_named_with_both() -> None
     assert "10.77.0.52 instead of 10.77.0.2; since then, others sent" in found.evidence
 
 
+@pytest.mark.parametrize(
+    ("name", "kind", "host", "evidence"),
+    [
+        ("two_maps", "several maps", "10.77.0.1", "10.77.0.102 and 10.77.0.1 publish /map"),
+        (
+            "loop_without_pause",
+            "busy topic",
+            "10.77.0.2",
+            "/robot2/joint_states 583 times a second; other robots send theirs at most 11 times",
+        ),
+        ("service_in_a_loop", "many calls", "10.77.0.102", "/robot3/get_state (service) 57 times"),
+    ],
+)
+def test_sources_that_contradict_each_other_or_send_too_much_are_events(
+    name: str, kind: str, host: str, evidence: str
+) -> None:
+    found = diagnosis(name)
+    (one,) = found.findings
+    assert found.healthy
+    assert (one.kind, host in one.hosts, evidence in one.evidence) == (kind, True, True)
+
+
+def test_who_calls_a_router_too_early_and_gives_up_is_not_behind_a_firewall() -> None:
+    (found,) = diagnosis("robot_starts_before_router", 3).findings
+    assert (found.kind, found.hosts) == ("called early", ("10.77.0.3",))
+    assert "was refused and did not try again; 10.77.0.101 answers" in found.evidence
+    assert "restart the nodes. Start the router before them" in found.advice
+
+
 def test_late_pings_beside_an_upload_show_a_crowded_link() -> None:
     (found,) = diagnosis("upload_fills_link").wrong
     assert (found.kind, found.hosts) == ("crowded link", ("10.77.0.2",))
@@ -753,6 +782,7 @@ def test_appended_files_do_not_set_the_clocks_of_hosts_back(tmp_path: Path) -> N
         "topics_of_1_hz",  # one host pauses for just over a second, again and again
         "healthy_best_effort_reader",  # answers no Heartbeat
         "healthy_peers_of_hub",  # the router's lease is long, so that it says little
+        "healthy_syslog",  # to a host where no server for it runs
         "healthy_delay_of_a_second",  # who asks again has not yet got what was sent
     ],
 )

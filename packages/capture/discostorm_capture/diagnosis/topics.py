@@ -29,7 +29,7 @@ SHARED_TOPICS += ("/tf_static", "/diagnostics")
 #: Whether topics of a type are "published" or "read" on a robot, or published by a "single" host.
 _TOPIC_TYPES = read_data("diagnosis/robot_types.csv", "discostorm_capture")
 #: The finding if several hosts write a topic, by its use.
-FINDINGS_BY_USE = {"read": "several commanders", "single": "several clocks"}
+FINDINGS_BY_USE = {"read": "several commanders", "single": "several clocks", "map": "several maps"}
 VERBS = {"published": "publish", "read": "subscribe to"}
 USE_ON_ROBOTS = {row["type"]: row["robot"] for row in _TOPIC_TYPES}
 #: Process, entity id and number of the announcement, by service, "rq" or "rr", and if it writes.

@@ -22,6 +22,7 @@ FLOOD_KINDS = (SEDP, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP 
 #: Names of ROS 2 software other than DDS and Zenoh, by UDP port.
 _SERVICES = read_data("vendors/service_ports.csv", "discostorm_capture")
 SERVICE_PORTS = {int(row["port"]): f"{row['port']} ({row['what']})" for row in _SERVICES}
+FIRST_USER_PORT = 1024
 #: Headers of IPv4 with TCP and with UDP; the size of fragments; the smallest packet that an MTU can
 #: drop, because every IPv4 network passes 576 bytes (RFC 791) [B].
 TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
@@ -102,7 +103,9 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     findings = [*_unresponsive_dds_servers(obs), *_unresponsive_routers(obs)]
     reported = {host for one in findings for host in one.hosts} | {*obs.host_first_last}
     refused, heard = obs.event_tuples("unreachable"), obs.host_first_last
+    # Ports below 1024 belong to other programs, such as syslog (RFC 6335).
     calls = [row for row in refused if row[1] in heard and row[2] not in reported]
+    calls = [row for row in calls if row[3] >= FIRST_USER_PORT]
     # Cyclone DDS searches for its peers at several ports, and most of them are closed.
     tried = Counter(row[1:3] for row in obs.event_tuples("asked"))
     calls = [row for row in calls if tried[row[1:3]] < LIMITS.port_search]
@@ -176,20 +179,21 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
     taken = {(host, port): time for kind, _, host, port, time in calls if kind == "connection"}
     tries = Counter(row[1:4] for row in calls if row[0] == "connection")
     failed: dict[tuple[str, int, bool], list[tuple[str, str, float]]] = {}
-    vain: dict[tuple[str, int], list[tuple[str, float]]] = {}
+    vain: dict[tuple[str, int, bool], list[tuple[str, float]]] = {}
     for kind, caller, host, port, time in calls:
         by_udp = kind == "unreachable"
         others = not by_udp and (host, port) in taken and (caller, host, port) not in tries
         if others and host not in peers and obs.host_first_last.get(host, (0.0, 0.0))[1] > time:
-            vain.setdefault((host, port), []).append((caller, time))
+            vain.setdefault((host, port, kind == "refused"), []).append((caller, time))
         elif (port == ZENOH_PORT) if by_udp else time > taken.get((host, port), -np.inf):
             failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
-    for (host, port), rows_of in vain.items():
+    for (host, port, is_early), rows_of in vain.items():
         if obs.host_first_last[host][1] - min(time for _, time in rows_of) > 2 * LIMITS.min_wait:
             unheard = sorted({caller for caller, _ in rows_of})
             served = sorted({one for one, *at in tries if at == [host, port]})
             how = f"{wording.count_noun(len(rows_of), 'time')} on TCP port {port}"
-            yield Finding.of("unserved", unheard, host, how, served)
+            kind = "called early" if is_early else "unserved"
+            yield Finding.of(kind, unheard, host, how, served)
     half = Counter(row[1:4] for row in obs.event_tuples("half"))
     for (caller, host, port), count in half.items():
         if count >= LIMITS.min_calls and (caller, host, port) not in tries:
@@ -335,6 +339,25 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
             signs = [one.evidence for one in slow]
             said = say(kind, (host,), "".join(topics[:1]) or "the largest stream", *shares, *signs)
             yield Finding(kind, (host,), said)
+
+
+def busy_topics(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that send a topic far more often than other robots, or very many requests."""
+    obs, ends = evidence.obs, evidence.endpoints
+    ends = ends[ends["writer"].eq(other=True) & ~ends["topic"].astype(str).str.endswith("/rosout")]
+    sends = obs.isin("kind", "User data", "Push") & (obs["writer"] > 0)
+    rows = obs.rows_by(sends, obs.sender_index, obs["writer"])
+    keys = zip(ends["index"], ends["entity"], strict=True)
+    counts = [len(np.unique(obs.seq[rows[key]])) if key in rows else 0 for key in keys]
+    ends = ends.assign(rate=np.array(counts) / max(obs.end, LIMITS.timeout))
+    alike = ends["topic"].astype(str).str.replace(r"\d+", "#", regex=True)
+    for (_, name), group in ends.groupby([ends["scope"], alike]):
+        ranked = group.sort_values("rate")
+        host, topic, rate = ranked[["host", "topic", "rate"]].iloc[-1]
+        usual, calls = ranked["rate"].iloc[:-1].max(), str(name).startswith("rq/")
+        if (calls or rate >= LIMITS.min_rate_ratio * usual > 0) and rate >= LIMITS.log_rate:
+            kind = "many calls" if calls else "busy topic"
+            yield Finding.of(kind, (host,), ros_topic(topic), rate, usual)
 
 
 def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
