@@ -96,8 +96,8 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "clock_steps_back",
             "the clock on 10.77.0.3 was set back while nodes were running",
-            "he timestamps in samples of 10.77.0.3 went back by 30.0 s at 10.6 s",
-            "make chrony adjust it slowly",
+            "t 10.6 s, the timestamps in samples from 10.77.0.3 jumped back by 30.0 s",
+            "let chrony slew it",
         ),
         (
             "images_by_multicast",
@@ -121,7 +121,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "server_crashes_again_and_again",
             "a process on 10.77.0.101 keeps restarting",
             "a server on 10.77.0.101 began numbering its participants from 1 again",
-            "Look at the log of the restarting process on 10.77.0.101",
+            "Check the log of the process that keeps restarting on 10.77.0.101",
         ),
         (
             "service_across_vendors",
@@ -150,7 +150,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "fragments_fill_memory",
             "10.77.0.2 gets only parts of large datagrams",
-            "10.77.0.2 reported that parts of datagrams did not arrive",
+            "10.77.0.2 reported by ICMP that parts of datagrams did not arrive",
             "raise net.ipv4.ipfrag_high_thresh",
         ),
         (

@@ -197,7 +197,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "one_client_lists_number_1",
-            "10.77.0.3 asks for a different server number than the server has",
+            "10.77.0.3 asks for a server number that the server does not have",
             "with one server number, but the server that answers 10.77.0.1",
             "On 10.77.0.3, move the server's address within ROS_DISCOVERY_SERVER, so that",
         ),
@@ -749,7 +749,7 @@ def test_sources_that_contradict_each_other_or_send_too_much_are_events(
 
 
 def test_who_calls_a_router_too_early_and_gives_up_is_not_behind_a_firewall() -> None:
-    (found,) = diagnosis("robot_starts_before_router", 3).findings
+    (found,) = diagnosis("robot_starts_before_router").findings
     assert (found.kind, found.hosts) == ("called early", ("10.77.0.3",))
     assert "was refused and did not try again; 10.77.0.101 answers" in found.evidence
     assert "restart the nodes. Start the router before them" in found.advice
@@ -796,7 +796,7 @@ def test_commands_in_a_loop_are_an_event_of_a_healthy_fleet() -> None:
     found = diagnosis("shell_loop")
     assert (found.healthy, found.findings[0].kind) == (True, "command loop")
     assert "said goodbye 7 times, about every 2.6 s" in found.summary()
-    assert "Find what keeps starting a short-lived program on 10.77.0.1" in found.summary()
+    assert "find what keeps starting a short-lived program there" in found.summary()
 
 
 def test_a_participant_that_fast_dds_disposes_of_without_its_key_has_left() -> None:

@@ -59,7 +59,7 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
             yield Finding(kind, tuple(sorted({*np.hstack([*shared])})), text)
     for (use, _, topic), rows in wrote:
         begins, ends_at = (times[rows["index"]] for times in evidence.obs.first_last)
-        at_once = begins.max() < ends_at.min()
+        at_once = begins.max() < ends_at.min() and rows["ownership"].ne("exclusive").any()
         if use in FINDINGS_BY_USE and len(by := rows["host"].unique()) > 1 and at_once:
             text = f"{join_names(by)} publish {ros_topic(str(topic))}"
             yield Finding(FINDINGS_BY_USE[use], tuple(by), text)
