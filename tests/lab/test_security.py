@@ -160,13 +160,16 @@ def test_a_secured_fleet_is_neither_sick_nor_known_to_be_complete() -> None:
     assert [finding.kind for finding in diagnosis.findings] == ["encrypted"]
     assert diagnosis.wrong == ()
     assert (diagnosis.complete, diagnosis.healthy) == (None, None)
-    assert "in 2 of 2 pairs" in diagnosis.summary()
+    assert (
+        "of the 2 pairs of such processes on different hosts, 2 exchanged keys"
+        in diagnosis.summary()
+    )
     assert "ROS_SECURITY_ENABLE=false" in diagnosis.summary()
 
 
 def test_the_command_says_that_endpoints_are_encrypted(tmp_path: Path) -> None:
     text = " ".join(command("fast_dds").output.split())
-    assert "DDS Security encrypts 28 messages of 10.77.0.1 and 10.77.0.2" in text
+    assert "DDS Security encrypts 28 messages from 10.77.0.1 and 10.77.0.2" in text
     assert "Note: DDS Security encrypts SEDP, so endpoints are unknown (shown as 0)" in text
     written = tmp_path / "fleet.toml"
     result = command("fast_dds", "--write-fleet", str(written))

@@ -132,10 +132,10 @@ def test_a_plan_tells_data_discovery_and_their_sum(channel: str) -> None:
 def test_a_plan_says_in_words_whether_data_fit() -> None:
     protocol = ds.PROTOCOLS["Fast DDS"]
     said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=50)), protocol).why().split())
-    assert "So your data fit once discovery is complete." in said
+    assert "So your data fits once discovery is complete." in said
     assert "If robots sent all data from the beginning, startup would keep the channel busy" in said
     said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).why().split())
-    assert "So your data do not fit once discovery is complete." in said
+    assert "So your data does not fit once discovery is complete." in said
     assert "The channel can never carry discovery and all your data." in said
     never = ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).to_dict()["data"]
     assert never["startup"]["one_frame"] is None

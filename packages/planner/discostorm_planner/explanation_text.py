@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 #: Maximum number of groups that are named.
 _MAX_GROUPS = 5
-_DATA_FIT = {"fits": "fit", "may fit": "may fit", "does not fit": "do not fit"}
 
 
 def format_explanation(plan: Plan, width: int) -> str:
@@ -101,10 +100,10 @@ def _user_data_lines(load: UserDataLoad, window: float) -> Iterator[str]:
     """Yield whether the data fit, once discovery is complete and until then."""
     data, both = _percent_range(load.data), _percent_range(load.with_periodic)
     key = "data load" if data != both else "data load and little else"
-    yield fill(key, data=data, both=both, fit=_DATA_FIT[load.with_periodic.verdict])
+    yield fill(key, data=data, both=both, fit=load.with_periodic.verdict)
     if math.isfinite(window):
         airtime = _time_range(load.with_discovery, window)
-        fit, time = _DATA_FIT[load.with_discovery.verdict], _first_seconds(window)
+        fit, time = load.with_discovery.verdict, _first_seconds(window)
         yield fill("data during startup", fit=fit, airtime=airtime, time=time)
     if wording.below_capacity(load.with_periodic.full):
         alone = wording.duration(load.drain_time_alone.bounds[0])
