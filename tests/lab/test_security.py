@@ -182,7 +182,7 @@ def test_a_host_without_security_is_named() -> None:
     diagnosis = ds.read_capture(STORED / "cyclone_dds_off_on_one.pcap.xz").diagnosis()
     first, *others = diagnosis.findings
     assert first.kind == "not authenticated"
-    assert "10.77.0.3 with 10.77.0.1 and 10.77.0.3 with 10.77.0.2" in first.evidence
+    assert "10.77.0.3 and 10.77.0.1; 10.77.0.3 and 10.77.0.2" in first.evidence
     assert [finding.kind for finding in others] == ["encrypted"]
     assert set(diagnosis.incomplete()["by"]) == {"10.77.0.3"}
 
