@@ -256,7 +256,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES }) => {
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
     const ranged = counts.filter((runs) => runs > 1);
     const intervals = ranged.map((runs) => say(runs >= RULES.runs ? "most runs" : runs > 2 ? "all runs" : "both runs", { runs }));
-    const interval = intervals.length > 1 ? `${intervals[0]} or, if there are fewer, all of them` : intervals[0];
+    const interval = intervals.length > 1 ? `${intervals[0]} or, with fewer runs, all of them` : intervals[0];
     const more = counts.slice(1).map((runs) => say(runs > 1 ? "long runs" : "hopeless run", { runs }));
     const told = `${counts[0]} run${counts[0] === 1 ? "" : "s"}${more.length ? ` (${more.join(", ")})` : ""}`;
     const until = seconds(all[0].until);

@@ -1224,7 +1224,7 @@ return {
 "slower elsewhere": "real runs may take up to {times} times as long ({slow}); we have not measured any",
 "easier": "A change of less effort, but not complete within {within}:",
 "easier, perhaps": "A change of less effort, but perhaps not complete within {within}:",
-"fewer": "start no more than {count} of the {group} {beside} on this channel. These {total} need {time} to discover each other. We did not simulate whether the others can start later.",
+"fewer": "start no more than {count} of the {group}{beside} on this channel. These {total} need {time} to discover each other. We did not simulate whether the others can start later.",
 "stopgap": "First step: {fewer}",
 "until then": "Until you make such a change, {fewer}",
 "changes": "Then make one change that is enough for discovery:",
