@@ -148,7 +148,7 @@ def test_few_swarms_give_no_interval() -> None:
     assert lab.ratio_interval(ratios) == (1.01, 1.37)
     most = prediction_error.ErrorBand(*lab.ratio_interval(ratios), 0.1, 39, 1, 1, 1)
     assert most.coverage == pytest.approx(0.9)
-    assert most.sentence().startswith("In 37 of 39 swarms within these limits that were ")
+    assert most.sentence().startswith("In 37 of 39 swarms that were not used for the fit (within")
     many = prediction_error.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)
     assert many.coverage == pytest.approx(0.9)
     assert "We expect 90% of such swarms to be in this range; " in many.sentence()
@@ -319,7 +319,7 @@ def test_no_number_of_hosts_beyond_twice_the_measured_range() -> None:
     most = 2 * ds.PROTOCOLS[asked[-1]].captured[0]  # type: ignore[index]
     told = CliRunner().invoke(main, asked, input=fleet).output
     assert f"more than {most}" in told
-    assert '"More than" means that we captured too few hosts of this kind to give a number.' in told
+    assert '"More than" means that we captured too few such hosts for a number.' in told
     assert not re.search(r"\b\d{3,}\.\d\d\b", told)
     (row,) = json.loads(CliRunner().invoke(main, [*asked, "--json"], input=fleet).output)
     assert row["more_than"] == most < row["hosts"]

@@ -168,7 +168,7 @@
   }
 
   function tell(run, to) {
-    if (stage) return "Both startups as a whole, on one clock, without silences.";
+    if (stage) return "Both whole startups, on one clock, without silences.";
     const { at, lost, done } = run.looks;
     let place = at.length - 1;
     while (place > 0 && at[place] > to) place--;

@@ -3,11 +3,10 @@
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from ipaddress import ip_address
-from itertools import product
+from itertools import chain, product
 from statistics import median_high
 
 import numpy as np
-import pandas as pd
 
 from discostorm import _checks, wording
 from discostorm_capture._types import Array
@@ -54,12 +53,12 @@ def moved_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with a new address for which others still look at the old one."""
     obs = evidence.obs
     seen = obs.events("ARP request", "ARP reply", "MAC").query("sender != '0.0.0.0'")
-    named = obs.messages[obs.sender_index >= 0].rename(columns={"process": "port"})
-    names = ["port", "sender"]
-    both = [table.assign(**table[names].astype(str)) for table in (seen, named)]
-    seen = pd.concat(both).groupby(names)["time"].agg(["min", "max"])
+    spans = [
+        table.groupby([name, "sender"], observed=True)["time"].agg(["min", "max"])
+        for table, name in ((seen, "port"), (obs.messages[obs.sender_index >= 0], "process"))
+    ]
     found = dict[str, Finding]()
-    for _, times in seen.groupby(level=0):
+    for _, times in chain(*(span.groupby(level=0, observed=True) for span in spans)):
         if len(times) != 2:
             continue  # a router has many addresses
         (old, new), span = (str(host) for _, host in times["min"].sort_values().index), times

@@ -18,6 +18,8 @@ ExpectedHosts = int | tuple[str, ...] | None
 EventRow = tuple[str, str, str, int, float]
 #: Kinds of messages that search for others by multicast; kinds of SEDP.
 MULTICAST_KINDS, SEDP, HEARTBEAT, ACKNACK = (("SPDP", "Scout"), "SEDP", "Heartbeat", "ACKNACK")
+#: Kinds of messages with samples of topics, in DDS and in Zenoh.
+SAMPLE_KINDS = ("User data", "Push")
 #: Kinds of DDS Security: the handshake, the key exchange after it, and encrypted messages.
 HANDSHAKE, NEW_KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 

@@ -15,14 +15,12 @@ from discostorm.data import read_data
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
-from discostorm_capture.diagnosis.observations import ACKNACK, SEDP, Observations
+from discostorm_capture.diagnosis.observations import ACKNACK, SAMPLE_KINDS, SEDP, Observations
 from discostorm_capture.endpoints import RANKED_QOS, TIME_QOS, Endpoint, ros_topic, ros_type
 from discostorm_capture.sentences import join_names, say
 
 #: Topics that each node of ROS 2 writes, and the topic on which processes list their nodes.
 NODE_TOPICS, GRAPH_TOPIC = ("rt/rosout", "rt/parameter_events"), "ros_discovery_info"
-#: Kinds of messages with samples of topics, in DDS and in Zenoh.
-SAMPLE_KINDS = ("User data", "Push")
 #: Topics that different processes of one host write.
 SHARED_TOPICS = (GRAPH_TOPIC, *(f"/{name}" for name in ("rosout", "parameter_events", "tf")))
 SHARED_TOPICS += ("/tf_static", "/diagnostics")

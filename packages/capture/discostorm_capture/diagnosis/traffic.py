@@ -12,7 +12,13 @@ from discostorm_capture._types import Array
 from discostorm_capture.diagnosis import losses
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
-from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
+from discostorm_capture.diagnosis.observations import (
+    ACKNACK,
+    HEARTBEAT,
+    SAMPLE_KINDS,
+    SEDP,
+    Observations,
+)
 from discostorm_capture.diagnosis.pairs import server_clients
 from discostorm_capture.endpoints import ros_topic
 from discostorm_capture.sentences import join_names, say
@@ -345,7 +351,7 @@ def busy_topics(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that send a topic far more often than other robots, or very many requests."""
     obs, ends = evidence.obs, evidence.endpoints
     ends = ends[ends["writer"].eq(other=True) & ~ends["topic"].astype(str).str.endswith("/rosout")]
-    sends = obs.isin("kind", "User data", "Push") & (obs["writer"] > 0)
+    sends = obs.isin("kind", *SAMPLE_KINDS) & (obs["writer"] > 0)
     rows = obs.rows_by(sends, obs.sender_index, obs["writer"])
     keys = zip(ends["index"], ends["entity"], strict=True)
     counts = [len(np.unique(obs.seq[rows[key]])) if key in rows else 0 for key in keys]
