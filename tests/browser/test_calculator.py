@@ -336,21 +336,24 @@ def test_says_what_python_says(tab: Page) -> None:
         )
     # All that can happen: one host fits into the second or does not, and drains or never does.
     assert len(kinds) == 4
-    # The lower quartile, as most may meet a busy machine.
-    assert statistics.quantiles(answer["took"] for answer in answers)[0] < 50
 
 
 def test_answers_within_50_ms(tab: Page) -> None:
-    # The median, as one frame more or less depends on what else the machine does; and of three
-    # rounds the fastest, as another test may keep it busy for a while.
-    medians = [
-        statistics.median(
-            tab.evaluate("hosts => calculatorTest.untilPainted(hosts)", str(hosts))
-            for hosts in (8, 9, 30, 400, 5, 1, 2, 3, 1e9, 12, 15)
-        )
-        for _ in range(3)
-    ]
-    assert min(medians) < 50
+    # Processor time of the page, as other tests keep the machine busy: script, layout and painting.
+    session = tab.context.new_cdp_session(tab)
+    session.send("Performance.enable", {"timeDomain": "threadTicks"})
+
+    def busy() -> float:
+        metrics = session.send("Performance.getMetrics")["metrics"]
+        return next(float(of["value"]) for of in metrics if of["name"] == "TaskDuration")
+
+    took = []
+    for hosts in (8, 9, 30, 400, 5, 1, 2, 3, 1e9, 12, 15):
+        began = busy()
+        tab.evaluate("hosts => calculatorTest.untilPainted(hosts)", str(hosts))
+        took.append(busy() - began)
+    session.detach()
+    assert 0 < statistics.median(took) < 0.05
 
 
 @pytest.mark.parametrize(
