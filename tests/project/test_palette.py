@@ -57,12 +57,37 @@ def lab(light: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
 
 
+def distance(one: Color, other: Color, eyes: str, ground: str) -> float:
+    seen = [lab(np.array(EYES[eyes]) @ linear(getattr(of, ground))) for of in (one, other)]
+    return float(np.linalg.norm(seen[0] - seen[1]))
+
+
 @pytest.mark.parametrize("ground", ["light", "dark"])
 @pytest.mark.parametrize("eyes", EYES)
 def test_families_and_products_are_told_apart_by_all_eyes(eyes: str, ground: str) -> None:
-    seen = {one: lab(np.array(EYES[eyes]) @ linear(getattr(one, ground))) for one in OWNERS}
-    for one, other in itertools.combinations(seen, 2):
-        assert np.linalg.norm(seen[one] - seen[other]) > 10, (one, other)
+    for one, other in itertools.combinations(OWNERS, 2):
+        assert distance(one, other, eyes, ground) > 10, (one, other)
+
+
+@pytest.mark.parametrize("ground", ["light", "dark"])
+@pytest.mark.parametrize("eyes", EYES)
+def test_messages_and_series_are_told_apart_by_all_eyes(eyes: str, ground: str) -> None:
+    sets = [{message.name for message in of.messages} for of in (ds.DDS, ds.ZENOH)]
+    sets = [
+        [one for one in PALETTE.values() if one.group == "shade" and one.key in of] for of in sets
+    ]
+    sets += [[one for one in PALETTE.values() if one.group == "series"]]
+    assert [len(of) for of in sets] == [4, 4, 5]
+    for of in sets:
+        for one, other in itertools.combinations(of, 2):
+            assert distance(one, other, eyes, ground) > 10, (one, other)
+
+
+@pytest.mark.parametrize("ground", ["light", "dark"])
+def test_what_is_no_product_has_no_product_s_color(ground: str) -> None:
+    series = [one for one in PALETTE.values() if one.group in ("series", "captured other")]
+    for one, owner in itertools.product(series, OWNERS):
+        assert distance(one, owner, "all cones", ground) > 10, (one, owner)
 
 
 @pytest.mark.parametrize("ground", ["light", "dark"])
@@ -78,8 +103,8 @@ def test_what_pages_write_in_color_can_be_read(ground: str) -> None:
     assert [one.key for one in letters if contrast(one) < 4.5] == []
     # Lines and bars; figures on light ground have Okabe and Ito's colors, thick or with an edge.
     assert [one.key for one in OWNERS if contrast(one) < (2.2 if ground == "light" else 3)] == []
-    shades = [one for one in PALETTE.values() if one.group == "shade" and ground == "dark"]
-    assert [one.key for one in shades if contrast(one) < 3] == []
+    shades = [one for one in PALETTE.values() if one.group == "shade"]
+    assert [one.key for one in shades if contrast(one) < (1.8 if ground == "light" else 3)] == []
 
 
 def test_every_color_is_one() -> None:

@@ -15,10 +15,10 @@ from discostorm_book.figures.drawing import Style, book_figure, legend_below, na
 _CHARCOAL = light_colors("neutral")["charcoal"]
 #: Causes of loss in the sweep ``queues``, and their colors.
 _CAUSES = {
-    "ap_full": ("access point's queue full", "vermilion"),
-    "host_age": ("waited too long at the host", "orange"),
-    "host_full": ("host's queue full", "blue"),
-    "on_air": ("multicast, collided", "purple"),
+    "ap_full": ("access point's queue full", "wine"),
+    "host_age": ("waited too long at the host", "olive"),
+    "host_full": ("host's queue full", "slate"),
+    "on_air": ("multicast, collided", "brown"),
 }
 
 

@@ -26,12 +26,12 @@ _PRODUCT, _ROS = "Fast DDS", "jazzy"
 #: Position of a discovery that did not end [s].
 NEVER_AT = 500.0
 _MAX_LINE_LETTERS = 40  # of a name in a line
-_CHANGE_COLORS = light_colors("change")
+_STATES = light_colors("state")
 #: Colors and names of a fleet as it is, and of changes after which its startup works or not.
 _MEANINGS = {
-    "today": _CHANGE_COLORS["none"],
-    f"works: 9 of 10 runs end within {WITHIN_S:g} s, and no lease expires": _CHANGE_COLORS["fits"],
-    "does not": _CHANGE_COLORS["overloaded"],
+    "today": light_colors("neutral")["gray"],
+    f"works: 9 of 10 runs end within {WITHIN_S:g} s, and no lease expires": _STATES["ok"],
+    "does not": _STATES["bad"],
 }
 
 

@@ -5,10 +5,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
-from matplotlib.colors import LinearSegmentedColormap, LogNorm, to_hex, to_rgb
+from matplotlib.colors import LinearSegmentedColormap, LogNorm, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
+from matplotlib.typing import ColorType
 
 from discostorm.figures import COLORS
 from discostorm.palette import light_colors
@@ -16,15 +17,15 @@ from discostorm_book.figures import drawing
 from discostorm_book.figures.drawing import Style, book_figure, write_text
 
 
-def _mix_with_white(color: str, share: float) -> str:
+def _mix_with_white(color: str, share: float) -> tuple[float, float, float]:
     """Return a mix of a color and white; the share is that of the color."""
     red, green, blue = (1 - share * (1 - part) for part in to_rgb(color))
-    return to_hex((red, green, blue))
+    return red, green, blue
 
 
-_BLUE = light_colors("series")["blue"]
+_SLATE = light_colors("series")["slate"]
 _TIME_COLORS = LinearSegmentedColormap.from_list(
-    "seconds", [_mix_with_white(_BLUE, 0.1), _mix_with_white(_BLUE, 0.35), _BLUE]
+    "seconds", [_mix_with_white(_SLATE, share) for share in (0.1, 0.35, 1)]
 )
 _TIME_NORM = LogNorm(0.1, 120)
 _NO_RUN_COLOR = light_colors("state")["bad"]
@@ -60,7 +61,8 @@ def times_by_robots(
 def _draw_cell(axis: Axes, column: int, line: int, row: pd.Series) -> None:
     """Draw the result of one setting."""
     seconds, converged = row["convergence_time_s"], int(row["converged"])
-    shade, text = _NO_RUN_COLOR, "never"
+    shade: ColorType = _NO_RUN_COLOR
+    text = "never"
     if np.isfinite(seconds):
         shade, text = _TIME_COLORS(_TIME_NORM(seconds)), f"{seconds:.{int(seconds < 9.95)}f}"
         text = "<0.1" if seconds < 0.095 else text

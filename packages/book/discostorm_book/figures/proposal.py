@@ -114,7 +114,7 @@ def convergence_times() -> Figure:
     with book_figure(3.0, "Crashes and meetings cost little time, fades cost most") as figure:
         axis = figure.subplots()
         for y, row in enumerate(data.to_dict("records")):
-            color = light_colors("series")["vermilion" if "fades" in row["scenario"] else "blue"]
+            color = light_colors("series")["wine" if "fades" in row["scenario"] else "slate"]
             median, slowest = row["median [s]"], row["slowest [s]"]
             axis.plot([row["fastest [s]"], slowest], [y, y], "-", color=color)
             axis.plot(median, y, "o", color=color)

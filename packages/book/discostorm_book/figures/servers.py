@@ -25,7 +25,7 @@ from discostorm_book.lab_counts import failure_summary, failure_times
 #: Cases of matching topic names: endpoints that always match, and matching share of the others.
 TOPIC_NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matching": (0, 1.0)}
 _HOST_COUNTS = np.arange(1.0, 5001)
-_SERIES = light_colors("series")
+_SERIES, _STATES = light_colors("series"), light_colors("state")
 _HUB_CONFIGURATION = "Zenoh router per host, one hub"
 _CONFIGURATION_NAMES = read_data("vendors/short_names.csv", "discostorm_book")
 #: Names of configurations for people, and shorter ones.
@@ -34,10 +34,10 @@ FULL_NAMES, _SHORT_NAMES = (
 )
 #: Consequences of a failed server or router: color and mark.
 CONSEQUENCES = {
-    "nothing else": ("blue", "o"),
-    "discovery of late joiners": ("orange", "s"),
-    "one robot": ("purple", "D"),
-    "the whole fleet": ("vermilion", "X"),
+    "nothing else": (_STATES["ok"], "o"),
+    "discovery of late joiners": (_SERIES["olive"], "s"),
+    "one robot": (_STATES["slow"], "D"),
+    "the whole fleet": (_STATES["bad"], "X"),
 }
 
 
@@ -98,7 +98,7 @@ def consequence_of(name: str) -> str:
 def consequence_style(consequence: str) -> Style:
     """Return color and mark of a consequence of a failure."""
     color, mark = CONSEQUENCES[consequence]
-    return {"color": _SERIES[color], "marker": mark, "mew": 0}
+    return {"color": color, "marker": mark, "mew": 0}
 
 
 def consequence_legend(figure: Figure, title: str, size: float) -> None:
@@ -216,8 +216,8 @@ def contact_after_failures() -> Figure:
         axis.set(xlim=(0, 144), xlabel="time since the server or router was killed [s]")
         axis.set_ylim(y + 0.6, 0.5)
         handles = [
-            Patch(color=_SERIES["blue"], label="hear each other"),
-            Patch(fc="white", ec=_SERIES["vermilion"], hatch="////", label="do not"),
+            Patch(color=_STATES["ok"], label="hear each other"),
+            Patch(fc="white", ec=_STATES["bad"], hatch="////", label="do not"),
             Line2D([], [], label="server or router is back", **back_look),
         ]
         drawing.legend_below(figure, handles, 3)
@@ -228,9 +228,9 @@ def _draw_lane(axis: Axes, y: float, row: Mapping[Any, Any]) -> None:
     """Draw when two processes receive from each other, and when they do not."""
     begin, connected, end = row["from_s"], row["connected_from_s"], row["until_s"]
     if connected > begin:
-        look: Style = {"edgecolor": _SERIES["vermilion"], "lw": 0.9, "hatch": "////"}
+        look: Style = {"edgecolor": _STATES["bad"], "lw": 0.9, "hatch": "////"}
         axis.barh(y, connected - begin, 0.55, begin, color="white", **look)
-    axis.barh(y, end - connected, 0.55, connected, color=_SERIES["blue"])
+    axis.barh(y, end - connected, 0.55, connected, color=_STATES["ok"])
     if (late := connected - row["server_back_s"]) > 0:
         axis.text(end + 1, y, f"+{late:.1f} s", va="center", fontsize=8)
 
@@ -250,8 +250,8 @@ def failure_detection_data() -> pd.DataFrame:
 
 def failure_detection() -> Figure:
     """Draw how long the others keep a robot that has failed on their lists, as bars."""
-    looks = {"robot killed": (-0.19, "orange", "killed")}
-    looks |= {"robot cut off": (0.19, "sky", "out of reach")}
+    looks = {"robot killed": (-0.19, "slate", "killed")}
+    looks |= {"robot cut off": (0.19, "olive", "out of reach")}
     lease: Style = {"fc": "black", "ec": "white"}
     data = failure_detection_data()
     names = list(dict.fromkeys(data["configuration"]))
