@@ -755,6 +755,38 @@ def test_who_calls_a_router_too_early_and_gives_up_is_not_behind_a_firewall() ->
     assert "restart the nodes. Start the router before them" in found.advice
 
 
+@pytest.mark.parametrize(
+    ("name", "times"), [("computer_stalls", "9 times, for 0.8 s"), ("flow_control", "11 times")]
+)
+def test_samples_in_bursts_show_a_stalling_or_throttled_sender(name: str, times: str) -> None:
+    found = diagnosis(name)
+    (one,) = found.findings
+    assert (one.kind, one.hosts, found.complete) == ("bursts", ("10.77.0.2",), True)
+    assert f"all writers on 10.77.0.2 paused together {times}" in one.evidence
+    assert "run `top`" in one.advice
+    assert "flow control (throughputController" in one.advice
+
+
+def test_who_announces_too_often_is_told_to_set_the_period_back() -> None:
+    (found,) = diagnosis("announces_too_often").findings
+    assert (found.kind, found.hosts) == ("announces often", ("10.77.0.3",))
+    assert "set the announcement period back: leaseAnnouncement" in found.advice
+
+
+def test_nodes_that_started_before_their_network_are_restarted() -> None:
+    everyone = ("10.77.0.1", "10.77.0.2", "10.77.0.3", "10.77.0.101")
+    capture = ds.read_capture(STAGED / "starts_before_network.pcap.xz")
+    (found,) = capture.diagnosis(everyone).wrong
+    assert (found.kind, found.hosts) == ("missing, late network", ("10.77.0.3",))
+    assert "but it sent its first packet only at 4.7 s" in found.evidence
+    assert "restart the nodes" in found.advice
+
+
+def test_the_one_host_with_another_transport_is_named() -> None:
+    (found,) = diagnosis("data_by_tcp").findings
+    assert (found.kind, found.hosts) == ("transports differ", ("10.77.0.2",))
+
+
 def test_late_pings_beside_an_upload_show_a_crowded_link() -> None:
     (found,) = diagnosis("upload_fills_link").wrong
     assert (found.kind, found.hosts) == ("crowded link", ("10.77.0.2",))

@@ -19,14 +19,12 @@ from discostorm_book.figures.drawing import Style, book_figure, write_text
 
 def _mix_with_white(color: str, share: float) -> tuple[float, float, float]:
     """Return a mix of a color and white; the share is that of the color."""
-    red, green, blue = (1 - share * (1 - part) for part in to_rgb(color))
-    return red, green, blue
+    red, green, blue = to_rgb(color)
+    return 1 - share * (1 - red), 1 - share * (1 - green), 1 - share * (1 - blue)
 
 
-_SLATE = light_colors("series")["slate"]
-_TIME_COLORS = LinearSegmentedColormap.from_list(
-    "seconds", [_mix_with_white(_SLATE, share) for share in (0.1, 0.35, 1)]
-)
+_TINTS = [_mix_with_white(light_colors("series")["slate"], share) for share in (0.1, 0.35, 1)]
+_TIME_COLORS = LinearSegmentedColormap.from_list("seconds", _TINTS)
 _TIME_NORM = LogNorm(0.1, 120)
 _NO_RUN_COLOR = light_colors("state")["bad"]
 _SOME_RUNS_COLOR = _mix_with_white(_NO_RUN_COLOR, 0.2)

@@ -336,6 +336,11 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
         kind = "missing" if len(silent) < len(absent) else "missing, but on"
         if present and not any(":" in of or obs.subnet_neighbors(of, present) for of in absent):
             kind = "missing, other subnet"
+        own = obs.network_events.groupby("sender", observed=True)["time"].min()[silent].min()
+        late = obs.time.min(initial=np.inf) + LIMITS.min_wait < own < obs.end - LIMITS.timeout
+        if kind == "missing, but on" and late:
+            text += f", but it sent its first packet only at {own:.1f} s"
+            kind = "missing, late network"
         names = Counter(row[2] for row in obs.event_tuples("unknown name") if row[2] in silent)
         if names.total() >= LIMITS.min_calls:
             replies = [f"{host} ({count} times)" for host, count in names.items()]

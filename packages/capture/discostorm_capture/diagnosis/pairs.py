@@ -99,6 +99,8 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
     index = (one[told].tolist() for one in (obs.sender_index, obs.receiver_index))
     receivers = {(of, host if to < 0 else to) for of, to, host in zip(*index, hosts, strict=True)}
     writers, acks = _startup_samples(obs), acknowledgements(obs)
+    skips = obs.isin("submessage", "GAP") & obs.is_server[obs.sender_index] & (obs.seq > 0)
+    skips = obs.rows_by(skips, obs.receiver_index, obs.sender_index, obs["writer"])
     pairs = []
     for subject, observer in wanted:
         first, back = contact[observer, subject], contact[subject, observer]
@@ -121,7 +123,9 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
             forgotten |= set(_acknowledgement_restarts(obs, confirms).tolist())
             delivered = rows[np.isin(obs.receiver_index[rows], (observer, -1))]
             sent += len(np.unique(obs.seq[delivered]))
-            full = obs.time[confirms[obs.seq[confirms] > last]]
+            # A server answers a client's last request by skipping what does not concern it.
+            answers = np.sort(np.append(confirms, skips.get((observer, subject, writer), rows[:0])))
+            full = obs.time[answers[obs.seq[answers] > last]]
             if not len(full):
                 complete = np.nan if np.isnan(complete) else np.inf
                 continue

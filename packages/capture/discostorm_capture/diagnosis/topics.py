@@ -391,7 +391,10 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
     for kind, texts in found.items():
         more = f"; and {len(texts) - MAX_TOPICS} more" if len(texts) > MAX_TOPICS else ""
         text = "; ".join([*texts][:MAX_TOPICS]) + more
-        yield Finding(kind, tuple(sorted(set().union(*texts.values()))), text)
+        hosts = set[str]().union(*texts.values())
+        if kind == "transports differ":  # the same host may be the odd one on all these topics
+            hosts = hosts.intersection(*texts.values()) or hosts
+        yield Finding(kind, tuple(sorted(hosts)), text)
 
 
 def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:

@@ -100,7 +100,8 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
             )
             yield Finding("processes with one id", (host,), text)
             return
-    yield Finding("flood", senders, text)
+    only_spdp = {kind for *_, kind in floods} == {"SPDP"}
+    yield Finding("announces often" if only_spdp else "flood", senders, text)
 
 
 def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
@@ -394,6 +395,28 @@ def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
             longest = np.subtract(*pause[::-1])[late].max()
             counts = late.sum(), LIMITS.min_hang, longest, asked[late].sum()
             yield Finding.of("pauses", (host,), *counts)
+
+
+def bursts_of_samples(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts whose writers all pause most of the time, and then send several samples each."""
+    obs, sender = evidence.obs, evidence.obs.messages["sender"].cat
+    data = obs.isin("kind", *SAMPLE_KINDS) & (obs["writer"] > 0)
+    for (of,), rows in obs.rows_by(data, sender.codes.to_numpy()).items():
+        host, times = str(sender.categories[of]), np.unique(obs.time[rows])
+        long = np.flatnonzero(np.diff(times) > LIMITS.min_stall)
+        begins, pauses = times[np.append(0, long + 1)], np.diff(times)[long]
+        if len(long) < LIMITS.min_unanswered or pauses.sum() < np.ptp(times) / 2:
+            continue
+        # A topic whose period is as long as the pauses has one sample in each burst.
+        burst = np.searchsorted(begins, obs.time[rows], side="right")
+        keys = zip(burst, obs.sender_index[rows], obs["writer"][rows], obs.seq[rows], strict=True)
+        sizes = Counter(key[:3] for key in {*keys})
+        several = {key[0] for key, count in sizes.items() if count > 1}
+        others = obs.time[data & ~obs.isin("sender", host)]
+        on = np.diff(np.searchsorted(others, (times[long], times[long + 1])), axis=0)[0] > 0
+        alike = len({key[1:] for key in sizes}) > 1 and on.mean() >= LIMITS.min_steady_share
+        if alike and len(several) >= LIMITS.min_steady_share * len(begins):
+            yield Finding.of("bursts", (host,), len(long), pauses.min(), pauses.max())
 
 
 def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
