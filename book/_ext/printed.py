@@ -289,6 +289,8 @@ def _keep(block: nodes.Element, room: float) -> None:
             block = around
         elif isinstance(before, nodes.title) and isinstance(around.parent, nodes.section):
             block, room = around, room + _HEADING
+        elif isinstance(before, nodes.rubric):
+            block, room = before, room + _HEADING
         elif isinstance(before, nodes.paragraph) and _announces(before):
             block, room = before, room + _natural_height(before)
         else:

@@ -135,6 +135,7 @@ def waiting_frames(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
             at = own[own["time_s"] >= time][["time_s", column]].iloc[0]
             write_text(axis, name, tuple(at), offset, color=color)
         axis.axhline(limit, color="0.3", lw=1, ls=":")
+        write_text(axis, "its limit", (own["time_s"].max(), limit), (0, 3), ha="right")
         axis.plot(full, limit, "o", color=_CHARCOAL, ms=6, zorder=3)
         write_text(axis, f"full after {full:.2f} s", (full, limit), (0, 8), color=_CHARCOAL)
         axis.set(xlabel="time after startup [s]", ylabel="frames waiting", xlim=(0, None))

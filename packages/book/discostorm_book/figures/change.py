@@ -27,11 +27,12 @@ _PRODUCT, _ROS = "Fast DDS", "jazzy"
 NEVER_AT = 500.0
 _MAX_LINE_LETTERS = 40  # of a name in a line
 _STATES = light_colors("state")
-#: Colors and names of a fleet as it is, and of changes after which its startup works or not.
-_MEANINGS = {
-    "today": light_colors("neutral")["gray"],
-    f"works: 9 of 10 runs end within {WITHIN_S:g} s, and no lease expires": _STATES["ok"],
-    "does not": _STATES["bad"],
+_WORKS = f"works: 9 of 10 runs end within {WITHIN_S:g} s, and no lease expires"
+#: Colors, marks and names of a fleet as it is, and of changes after which its startup works or not.
+_MEANINGS: dict[str, Style] = {
+    "today": {"color": light_colors("neutral")["gray"], "marker": "D"},
+    _WORKS: {"color": _STATES["ok"], "marker": "o"},
+    "does not": {"color": _STATES["bad"], "marker": "X"},
 }
 
 
@@ -61,12 +62,11 @@ def times_by_change(plan: Plan, title: str) -> Figure:
     places = heights.cumsum() - heights / 2
     with book_figure(1.2 + 0.26 * places[-1], title) as figure:
         axis = figure.subplots()
-        looks: list[Style] = [{"color": _MEANINGS[is_], "marker": "o"} for is_ in data["is"]]
+        looks = [_MEANINGS[is_] for is_ in data["is"]]
         _draw_times(axis, places, data["median [s]"], data["nine of ten [s]"], looks)
         axis.set_yticks(places, names)
-        look: Style = {"ls": "", "marker": "o"}
-        marks = [Line2D([], [], **look, color=c, label=name) for name, c in _MEANINGS.items()]
-        drawing.legend_below(figure, marks, 3, columnspacing=1)
+        handles = [Line2D([], [], ls="", label=name, **look) for name, look in _MEANINGS.items()]
+        drawing.legend_below(figure, handles, 3, columnspacing=1)
     return figure
 
 

@@ -23,7 +23,7 @@ def _mix_with_white(color: str, share: float) -> tuple[float, float, float]:
     return 1 - share * (1 - red), 1 - share * (1 - green), 1 - share * (1 - blue)
 
 
-_TINTS = [_mix_with_white(light_colors("series")["slate"], share) for share in (0.1, 0.35, 1)]
+_TINTS = [_mix_with_white(light_colors("series")["slate"], share) for share in (0.08, 0.25, 0.5)]
 _TIME_COLORS = LinearSegmentedColormap.from_list("seconds", _TINTS)
 _TIME_NORM = LogNorm(0.1, 120)
 _NO_RUN_COLOR = light_colors("state")["bad"]
@@ -91,9 +91,8 @@ def time_quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
             axis.set(xlabel="robots", xlim=(0.6, 25.4), ylim=(-1.7, NEVER_AT + 0.25))
             axis.set_xticks(range(4, 25, 4))
             axis.set_title(name, loc="left", fontsize=9.5)
-        write_text(panels[-1], "two minutes", (0.6, limit), (3, -4), va="top", fontsize=10)
-        ticks = [-1, 0, 1, 2]
-        panels[0].set_yticks([*ticks, NEVER_AT], [*(f"{10.0**tick:g}" for tick in ticks), "never"])
+        write_text(panels[0], "two minutes", (0.6, limit), (3, -4), va="top", color=_NO_RUN_COLOR)
+        panels[0].set_yticks([-1, 0, 1, 2, NEVER_AT], ["0.1", "1", "10", "100", "never"])
         panels[0].set_ylabel("time until converged [s]")
     return figure
 
@@ -143,7 +142,7 @@ def effects_of_changes(shown: pd.DataFrame) -> Figure:
                 text = f"{value:.0f}{f' {protocol}' if place < 0.5 else ''}"
                 write_text(axis, text, (ends[right], place), (6 if right else -6, 0), **look)
         axis.set(yticks=places, yticklabels=list(shown.index), xlabel="time until converged [s]")
-        axis.set_xlim(np.array([-0.08, 1.2]) * shown.to_numpy().max())
+        axis.set_xlim(0, 1.2 * shown.to_numpy().max())
         axis.invert_yaxis()
         axis.grid(axis="y", visible=False)
     return figure

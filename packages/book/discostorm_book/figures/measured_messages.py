@@ -35,7 +35,7 @@ def startup_messages(name: str) -> Figure:
             middle, low, high = (rows[f"{side}{end}"] for side in ("measured", "least", "most"))
             look: Style = {"fmt": "o", "ms": 8, "color": COLORS[name], "label": "measured"}
             axis.errorbar(middle, rows.index, xerr=(middle - low, high - middle), **look)
-            look = {"color": "black", "mec": "white", "ms": 7, "label": "measured model"}
+            look = {"color": "black", "mew": 0, "ms": 6, "label": "measured model"}
             axis.plot(rows[f"expected{end}"], rows.index, "X", zorder=4, **look)
             look = {"mfc": "none", "ms": 8, "zorder": 3, "color": _PAPER_GRAY, "label": "paper"}
             axis.plot(rows[f"paper{end}"], rows.index, "D", **look)

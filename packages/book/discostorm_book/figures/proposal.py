@@ -66,7 +66,6 @@ def airtime_steps_data() -> pd.DataFrame:
 def airtime_steps() -> Figure:
     """Draw the airtime from DDS to the proposal, step by step, for a small and a large fleet."""
     data = airtime_steps_data()
-    # No product has these colors.
     colors = [light_colors("neutral")[shade] for shade in ("gray", "charcoal")]
     ys = range(len(data))
     with book_figure(2.9, "Every step helps; dropping acknowledgments helps most") as figure:
@@ -114,7 +113,8 @@ def convergence_times() -> Figure:
     with book_figure(3.0, "Crashes and meetings cost little time, fades cost most") as figure:
         axis = figure.subplots()
         for y, row in enumerate(data.to_dict("records")):
-            color = light_colors("series")["wine" if "fades" in row["scenario"] else "slate"]
+            fades = "fades" in row["scenario"]
+            color = light_colors("series")["wine"] if fades else light_colors("basis")["proposal"]
             median, slowest = row["median [s]"], row["slowest [s]"]
             axis.plot([row["fastest [s]"], slowest], [y, y], "-", color=color)
             axis.plot(median, y, "o", color=color)
