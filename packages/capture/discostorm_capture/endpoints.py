@@ -68,6 +68,8 @@ class Endpoint:
     destination_order: str = DESTINATION_ORDERS[0]
     presentation: str = ACCESS_SCOPES[0]
     latency: float = 0.0
+    #: For how long a writer keeps a sample [s].
+    lifespan: float = float("inf")
     #: Data representations: a writer uses the first, a reader accepts each.
     representations: tuple[str, ...] = DATA_REPRESENTATIONS[:1]
     type_hash: str = ""
@@ -208,6 +210,7 @@ _ENDPOINT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x25: lambda value, order: {"destination_order": DESTINATION_ORDERS[_uint32(value, 0, order)]},
     0x27: lambda value, order: {"latency": _read_seconds(value, 0, order)},
     0x29: _read_partitions,
+    0x2B: lambda value, order: {"lifespan": _read_seconds(value, 0, order)},
     0x73: _read_representations,
     0x2C: lambda value, _: {"type_hash": b"".join(_TYPE_HASH.findall(value)[:1]).decode()},
 }

@@ -787,6 +787,14 @@ def test_the_one_host_with_another_transport_is_named() -> None:
     assert (found.kind, found.hosts) == ("transports differ", ("10.77.0.2",))
 
 
+def test_a_lifespan_explains_why_a_late_reader_gets_nothing() -> None:
+    found = diagnosis("samples_expire")
+    (one,) = [one for one in found.findings if one.kind != "late joiner"]
+    assert (one.kind, one.hosts, found.healthy) == ("expired samples", ("10.77.0.2",), True)
+    assert "/robot2/map: 10.77.0.2 keeps each sample for 3 s" in one.evidence
+    assert "lifespan in the QoS of the publisher on 10.77.0.2 infinite" in one.advice
+
+
 def test_late_pings_beside_an_upload_show_a_crowded_link() -> None:
     (found,) = diagnosis("upload_fills_link").wrong
     assert (found.kind, found.hosts) == ("crowded link", ("10.77.0.2",))

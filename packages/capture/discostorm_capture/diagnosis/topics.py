@@ -223,23 +223,27 @@ def missing_publishers(evidence: Evidence) -> Iterator[Finding]:
 
 
 def missed_samples(evidence: Evidence) -> Iterator[Finding]:
-    """Yield volatile readers that started after the last sample of a writer that keeps samples."""
-    obs, texts, begins = evidence.obs, dict[str, dict[str, None]](), evidence.obs.first_last[0]
+    """Yield readers that started after the last sample of a writer, and get none that it keeps."""
+    obs, begins = evidence.obs, evidence.obs.first_last[0]
+    texts: dict[tuple[str, str], dict[str, None]] = {}
     ends = evidence.endpoints[obs.is_rtps[evidence.endpoints["index"]]]
     volatile, writes = ends["durability"].eq("volatile"), ends["writer"].eq(other=True)
-    kept, late = ends[writes & ~volatile], ends[~writes & volatile]
+    kept, late = ends[writes & ~volatile], ends[~writes].assign(volatile=volatile)
     pairs = kept.merge(late, on=["scope", "topic", "type"], suffixes=("", "_by"))
-    names = ["topic", "index", "entity", "host", "index_by", "host_by"]
-    for topic, process, writer, host, reader, by in pairs[names].itertuples(index=False, name=None):
+    names = ["topic", "index", "entity", "host", "index_by", "host_by", "volatile", "lifespan"]
+    for topic, process, writer, host, reader, by, takes_no_old, lifespan in pairs[names].to_numpy():
         begin = begins[reader]
         if host == by or begin >= obs.end - LIMITS.timeout:
             continue
         last = _first_sample_times(obs, process, writer).max(initial=-np.inf)
-        if -np.inf < last < begin:
-            text = say("missed samples", ros_topic(topic), host, last, by, begin)
-            texts.setdefault(by, {})[text] = None
-    for host, said in texts.items():
-        yield Finding("missed samples", (host,), "; ".join(said))
+        kind, at = ("missed samples", by) if takes_no_old else ("expired samples", host)
+        if last < begin and (
+            last > -np.inf if takes_no_old else begins[process] + lifespan < begin
+        ):
+            text = say(kind, ros_topic(topic), host, last, by, begin, lifespan)
+            texts.setdefault((kind, at), {})[text] = None
+    for (kind, at), said in texts.items():
+        yield Finding(kind, (at,), "; ".join(said))
 
 
 def silent_services(evidence: Evidence) -> Iterator[Finding]:
