@@ -151,7 +151,7 @@
   const form = make("div", { class: "scrub-form" }, make("label", { for: choice.id }, "Start:"), choice, bar);
   const HOW = [
     "Move through time, or click a frame in a lane. Arrow keys step frame by frame.",
-    "Red frames collide. Gray areas show how many frames wait, in red where the queue is full.",
+    "Blue frames come from robots, gray ones from the access point, and red ones collide. Gray areas show how many frames wait, in red where the queue is full.",
     "Of the chosen frame, the dashed line is the time in its queue, the solid line the wait for the channel.",
   ];
   const how = make("p", { class: "line-how" }, HOW.join(" "));
