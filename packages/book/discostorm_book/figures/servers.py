@@ -252,7 +252,6 @@ def failure_detection() -> Figure:
     """Draw how long the others keep a robot that has failed on their lists, as bars."""
     looks = {"robot killed": (-0.19, "slate", "killed")}
     looks |= {"robot cut off": (0.19, "olive", "out of reach")}
-    lease: Style = {"fc": "black", "ec": "white"}
     data = failure_detection_data()
     names = list(dict.fromkeys(data["configuration"]))
     with book_figure(2.6, "A failed robot stays listed for about one lease") as figure:
@@ -264,7 +263,7 @@ def failure_detection() -> Figure:
             axis.barh(y, seconds, 0.34, color=_SERIES[color])
             text = f"{seconds:.0f}" if seconds >= 0.5 else "0"
             numbers.setdefault((row["configuration"], text), []).append((seconds, y))
-            axis.barh(y, 0.8, 0.4, row["lease_s"] - 0.4, zorder=3, **lease)
+            axis.barh(y, 0.8, 0.4, row["lease_s"] - 0.4, zorder=3, fc="black", ec="white")
         for (_, text), ends in numbers.items():  # two equal bars share their number
             write_text(axis, text, tuple(np.mean(ends, axis=0)), (5, 0), va="center", fontsize=8)
         labels = [_SHORT_NAMES.get(name, name) for name in names]
@@ -272,5 +271,6 @@ def failure_detection() -> Figure:
         axis.invert_yaxis()
         axis.set(xlim=(0, 100), xlabel="time until the others time the robot out [s]")
         bars = [Patch(color=_SERIES[color], label=label) for _, color, label in looks.values()]
-        axis.legend(handles=[*bars, Patch(label="lease", **lease)], loc="upper right")
+        lease = Line2D([], [], c="black", ls="", marker="|", ms=10, mew=2.5, label="lease")
+        axis.legend(handles=[*bars, lease], loc="upper right")
     return figure
