@@ -69,7 +69,7 @@ def test_the_title_page_has_the_date_of_the_release_not_of_the_build(text: list[
 
 
 def test_each_part_begins_on_the_page_of_its_first_chapter(text: list[str]) -> None:
-    parts = [match[1] for words in text if (match := re.match(r"Part [IV]+: (.+)\n", words))]
+    parts = [match[1] for words in text if (match := re.search(r"^Part [IV]+: (.+)$", words, re.M))]
     contents = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))["parts"]
     captions = [part["caption"] for part in contents if "caption" in part]
     assert parts == [caption.rpartition(": ")[2] for caption in captions]

@@ -192,8 +192,8 @@ def test_the_legend_has_the_colors_of_the_bars() -> None:
         for text, handle in zip(legend.get_texts(), legend.legend_handles, strict=True)
     }
     assert len(set(color.values())) == len(color) == 6
-    # The colors that follow those of the two middlewares.
-    assert (color["Ann"], color["Ok"]) == (to_rgba("#009E73"), to_rgba("#CC79A7"))
+    # What is no message of the paper has the colors of series.
+    assert (color["Ann"], color["Ok"]) == (to_rgba("#5B6B7A"), to_rgba("#882255"))
     bars = [bar for bar in figure.axes[0].patches if isinstance(bar, Rectangle)]
     names = [name for messages in swarms.values() for name in messages.index]
     assert [bar.get_facecolor() for bar in bars] == [color[name] for name in names]

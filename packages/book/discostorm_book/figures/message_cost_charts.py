@@ -106,7 +106,7 @@ def message_bars(
 ) -> Figure:
     """Draw the utilization or share of each message of a breakdown: one bar per swarm."""
     data = message_bars_data(swarms, share=share)
-    others = (f"C{number}" for number in count(2))  # after those of SEDP and Declare
+    others = (f"C{number}" for number in count())
     colors = {name: MESSAGE_COLORS.get(name) or next(others) for name in data["message"].unique()}
     with book_figure(1.5 + 0.29 * len(swarms), title) as figure:
         axis = figure.subplots()
