@@ -756,7 +756,7 @@ def test_who_calls_a_router_too_early_and_gives_up_is_not_behind_a_firewall() ->
 
 
 @pytest.mark.parametrize(
-    ("name", "times"), [("computer_stalls", "9 times, for 0.8 s"), ("flow_control", "11 times")]
+    ("name", "times"), [("computer_stalls", "11 times, for 0.8 s"), ("flow_control", "11 times")]
 )
 def test_samples_in_bursts_show_a_stalling_or_throttled_sender(name: str, times: str) -> None:
     found = diagnosis(name)

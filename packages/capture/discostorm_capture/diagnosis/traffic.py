@@ -405,7 +405,7 @@ def bursts_of_samples(evidence: Evidence) -> Iterator[Finding]:
         host, times = str(sender.categories[of]), np.unique(obs.time[rows])
         long = np.flatnonzero(np.diff(times) > LIMITS.min_stall)
         begins, pauses = times[np.append(0, long + 1)], np.diff(times)[long]
-        if len(long) < LIMITS.min_unanswered or pauses.sum() < np.ptp(times) / 2:
+        if len(long) < LIMITS.min_bursts or pauses.sum() < np.ptp(times) / 2:
             continue
         # A topic whose period is as long as the pauses has one sample in each burst.
         burst = np.searchsorted(begins, obs.time[rows], side="right")
