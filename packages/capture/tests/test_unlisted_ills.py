@@ -795,6 +795,73 @@ def test_a_lifespan_explains_why_a_late_reader_gets_nothing() -> None:
     assert "lifespan in the QoS of the publisher on 10.77.0.2 infinite" in one.advice
 
 
+def test_hosts_behind_a_repeater_are_healthy() -> None:
+    assert [*diagnosis("behind_a_repeater").findings] == []
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "host", "evidence", "action"),
+    [
+        (
+            "guest_downloads",
+            "crowded by a device",
+            "10.77.0.60",
+            "mainly to 10.77.0.60",
+            "move it to another Wi-Fi",
+        ),
+        (
+            "plotter_freezes",
+            "process hangs",
+            "10.77.0.102",
+            "refused none of 544 messages, but its system sent other packets until 21.7 s",
+            "find out why the process waits",
+        ),
+        (
+            "messages_grow",
+            "stream on a slow link",
+            "10.77.0.2",
+            "/robot2/trail from 10.77.0.2 to 10.77.0.101 takes",
+            "shorten messages that grow",
+        ),
+    ],
+)
+def test_what_disturbs_a_fleet_is_named_first(
+    name: str, kind: str, host: str, evidence: str, action: str
+) -> None:
+    first = diagnosis(name).findings[0]
+    assert (first.kind, first.hosts) == (kind, (host,))
+    assert evidence in first.evidence
+    assert action in first.advice
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "host", "evidence", "action"),
+    [
+        (
+            "ssh_session_ends",
+            "ended together",
+            "10.77.0.2",
+            "2 processes on 10.77.0.2 ended within a second, but the host sent packets until",
+            "If the nodes on 10.77.0.2 were started in an SSH session",
+        ),
+        (
+            "switch_port_blocks",
+            "deaf at first",
+            "10.77.0.3",
+            "but the first packet from another host came at 17.7 s",
+            "make the switch port of 10.77.0.3 an edge port (PortFast)",
+        ),
+    ],
+)
+def test_what_happens_to_one_host_is_an_event(
+    name: str, kind: str, host: str, evidence: str, action: str
+) -> None:
+    found = diagnosis(name)
+    assert found.healthy
+    (one,) = [one for one in found.findings if one.kind == kind]
+    assert (one.hosts, evidence in one.evidence, action in one.advice) == ((host,), True, True)
+
+
 def test_late_pings_beside_an_upload_show_a_crowded_link() -> None:
     (found,) = diagnosis("upload_fills_link").wrong
     assert (found.kind, found.hosts) == ("crowded link", ("10.77.0.2",))

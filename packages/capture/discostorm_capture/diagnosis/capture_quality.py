@@ -86,7 +86,11 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
         # Those that started earlier have asked before.
         near &= {*obs.host_first_last} - {*obs.hosts_of(evidence.early_processes)}
         # ARP requests are broadcast, so the capture would have them.
-        if len(near) > 1 and not any({*pair} <= near for pair in arp):
+        begins = [obs.host_first_last[one][0] for one in sorted(near)]
+        own = obs.host_first_last.get(host, (np.inf,))[0]
+        if len(near) > 1 and min(begins) > own + LIMITS.timeout and np.ptp(begins) < 1:
+            yield Finding.of("deaf at first", (host,), own, min(begins))
+        elif len(near) > 1 and not any({*pair} <= near for pair in arp):
             text += say("no ARP between", sorted(near))
             calls = (obs.isin("kind", "SPDP", "Scout") & obs["multicast"]).any()
             yield Finding("multicast of one host" if calls else "peers of one host", (host,), text)

@@ -12,6 +12,7 @@ from discostorm import _checks, wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
+from discostorm_capture.diagnosis.losses import frame_loss
 from discostorm_capture.diagnosis.observations import ExpectedHosts, Observations
 from discostorm_capture.sentences import join_names, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
@@ -111,18 +112,16 @@ def _address_in_fleet(obs: Observations, host: str) -> str:
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that share a MAC address, if each of them has a pair that never completed."""
+    """Yield hosts that share a MAC address, if one lacks a pair, or frames are lost."""
     obs = evidence.obs
     lacking = {*obs.hosts_of(one for pair in evidence.incomplete_pairs for one in pair.processes)}
     # Skip one host with several addresses: it announces all of them.
     own = [{*text.split()} for text in obs.processes["announces"]]
-    arp = obs.events("ARP request", "ARP reply")
-    # Skip addresses with several MACs: an access point may answer ARP for other hosts.
-    proxied = arp.groupby("sender", observed=True)["port"].transform("nunique") > 1
-    for mac, rows in arp[arp["sender"].isin([*obs.host_first_last]) & ~proxied].groupby("port"):
-        hosts = {*rows["sender"].astype(str)}
-        if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
-            yield Finding.of("duplicate MAC", sorted(hosts), _format_mac(int(str(mac))))
+    for mac, hosts in obs.hosts_by_mac.items():
+        # Behind a repeater, hosts share an address and work.
+        ill = lacking & hosts or any(one.about == "fleet" for one in frame_loss(evidence))
+        if ill and not any(hosts <= one for one in own):
+            yield Finding.of("duplicate MAC", sorted(hosts), _format_mac(mac))
 
 
 def wrong_mac(evidence: Evidence) -> Iterator[Finding]:

@@ -225,6 +225,8 @@ def _describe_crash(
     """Return whether processes crashed, or their host is gone since their last message."""
     obs = evidence.obs
     text = say("crash", host, when, obs.recording.recorded_time)
+    # When the system of the host last answered, such as to a ping.
+    on = obs.network_events["time"][obs.network_events["sender"] == host].max()
     endless = np.isinf(obs.processes["lease"].to_numpy()[dead]).any()
     since = when - LIMITS.late_delivery
     # The system of a process that crashes closes its connections, and refuses later messages.
@@ -234,8 +236,15 @@ def _describe_crash(
     there = any(row[2] == host for row in obs.event_tuples("unreachable", "refused"))
     there |= obs.host_first_last[host][1] > when
     if obs.is_rtps[dead[0]] and later.sum() >= LIMITS.min_messages and not there:
+        if on > when + LIMITS.timeout:
+            said = say("host is on", host, when, later.sum(), on)
+            return Finding("process hangs", (host,), said)
         text, gone = text + say("no ICMP", host, later.sum()), True
     kind = "endless lease" if endless else "crash"
+    if len(dead) > 1 and not gone and on > when + LIMITS.timeout and kind == "crash":
+        times = obs.first_last[1][dead]
+        text += say("ended together", (times > when - 1).sum(), host, on)
+        kind = "ended together" if (times > when - 1).sum() > 1 else kind
     return Finding("out of range" if gone else kind, (host,), text)
 
 

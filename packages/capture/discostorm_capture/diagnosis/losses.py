@@ -188,8 +188,12 @@ def _crowded_link(obs: Observations, text: str) -> Finding | None:
     rate = f"{8e-6 * octets / max(obs.end, LIMITS.timeout):.2g} Mbit/s"
     own = obs.events("other traffic").query("sender == @host")
     to = str(own.groupby("receiver", observed=True)["port"].sum().idxmax())
-    to += " (multicast)" * ip_address(to).is_multicast
-    return Finding("crowded link", (host,), f"{say('crowded link', host, rate, to)}; {text}")
+    to_all = ip_address(to).is_multicast or to.endswith(".255")
+    text = f"{say('crowded link', host, rate, to + ' (to all hosts)' * to_all)}; {text}"
+    if host not in obs.host_first_last and not to_all:  # a download, perhaps from another network
+        host = host if obs.subnet_neighbors(host, [*obs.host_first_last]) else to
+    kind = "crowded link" if host in obs.host_first_last else "crowded by a device"
+    return Finding(kind, (host,), text)
 
 
 def multicast_loss(evidence: Evidence) -> Iterator[Finding]:

@@ -123,7 +123,9 @@ class Observations:
 
     def sees_unicast(self, *hosts: str) -> bool:
         """Return whether the capture shows unicast between these hosts."""
-        return self.vantage_host is None or self.vantage_host in hosts
+        # What two hosts behind a repeater send each other, nobody else sees.
+        near = any({*hosts} <= of for of in self.hosts_by_mac.values())
+        return not near and (self.vantage_host is None or self.vantage_host in hosts)
 
     @cached_property
     def unanswered_arp(self) -> dict[tuple[str, str], list[float]]:
@@ -169,6 +171,18 @@ class Observations:
         """Times of the first and last message of each host [s]."""
         times = self.messages.groupby("sender", observed=True)["time"].agg(["min", "max"])
         return {str(host): (first, last) for host, first, last in times.itertuples()}
+
+    @cached_property
+    def hosts_by_mac(self) -> dict[int, set[str]]:
+        """The hosts that share a MAC address in ARP, as behind a repeater, by this address."""
+        arp = self.events("ARP request", "ARP reply")
+        # Skip addresses with several MACs: an access point may answer ARP for other hosts.
+        proxied = arp.groupby("sender", observed=True)["port"].transform("nunique") > 1
+        spoke = arp[arp["sender"].isin([*self.host_first_last]) & ~proxied].groupby("port")[
+            "sender"
+        ]
+        hosts = {int(str(mac)): {*rows.astype(str)} for mac, rows in spoke}
+        return {mac: of for mac, of in hosts.items() if len(of) > 1}
 
     @staticmethod
     def subnet_numbers(hosts: Iterable[str], bits: int = 24) -> Array:

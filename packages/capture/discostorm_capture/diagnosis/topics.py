@@ -228,7 +228,7 @@ def missed_samples(evidence: Evidence) -> Iterator[Finding]:
     texts: dict[tuple[str, str], dict[str, None]] = {}
     ends = evidence.endpoints[obs.is_rtps[evidence.endpoints["index"]]]
     volatile, writes = ends["durability"].eq("volatile"), ends["writer"].eq(other=True)
-    kept, late = ends[writes & ~volatile], ends[~writes].assign(volatile=volatile)
+    kept, late = ends[writes & ~volatile], ends.assign(volatile=volatile)[~writes]
     pairs = kept.merge(late, on=["scope", "topic", "type"], suffixes=("", "_by"))
     names = ["topic", "index", "entity", "host", "index_by", "host_by", "volatile", "lifespan"]
     for topic, process, writer, host, reader, by, takes_no_old, lifespan in pairs[names].to_numpy():
