@@ -220,5 +220,7 @@ _PARTICIPANT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x4014: lambda value, order: {"domain_tag": _read_string(value, 0, order)[0]},
     0x50: lambda value, _: {"is_server": True} if _SERVER_GUID_PREFIX.match(value) else {},
     0x59: lambda value, _: {name: True for name, it in _PROPERTIES.items() if it.search(value)},
+    # Bits of the built-in endpoints: does it announce its writers, as it does its readers?
+    0x58: lambda value, order: {"is_half": _uint32(value, 0, order) & 0x14 in (0x04, 0x10)},
     0x1001: lambda *_: {"has_credentials": True},
 }

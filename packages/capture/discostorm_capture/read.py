@@ -247,6 +247,7 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
         "version": np.array([p.version for p in processes], np.int64),
         "static": np.array([p.static for p in processes], bool),
         "secured": np.array([p.has_credentials for p in processes], bool),
+        "half": np.array([p.is_half for p in processes], bool),
     }
     index = pd.Index([p.name for p in processes], name="process", dtype=object)
     return pd.DataFrame(table, index=index)

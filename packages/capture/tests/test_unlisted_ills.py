@@ -817,6 +817,13 @@ def test_hosts_behind_a_repeater_are_healthy() -> None:
             "find out why the process waits",
         ),
         (
+            "readers_alone_announced",
+            "half",
+            "10.77.0.3",
+            "the built-in endpoints of 10.77.0.3 announce only writers or only readers",
+            "remove simpleEDP",
+        ),
+        (
             "messages_grow",
             "stream on a slow link",
             "10.77.0.2",

@@ -196,12 +196,12 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
 
 
 def different_settings(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts with DDS Security or static discovery, if others of their scope lack it."""
+    """Yield hosts with DDS Security, or without full discovery, if others of their scope differ."""
     obs = evidence.obs
     secured = np.append(obs.processes["secured"].to_numpy(bool), False)
     mixed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     mixed &= secured[obs.sender_index] != secured[obs.receiver_index]
-    kinds = {"static": "static discovery", "secured": "different security"}
+    kinds = {"static": "static discovery", "half": "half", "secured": "different security"}
     for scope, (setting, kind) in product(evidence.scopes, kinds.items()):
         given = obs.processes.iloc[[*scope.members]]
         on, off = (sorted({*given["host"][given[setting] == way]}) for way in (True, False))
