@@ -869,11 +869,18 @@ def test_what_happens_to_one_host_is_an_event(
     assert (one.hosts, evidence in one.evidence, action in one.advice) == ((host,), True, True)
 
 
+def test_packets_that_are_late_to_several_hosts_have_one_cause() -> None:
+    (found,) = diagnosis("channel_is_full").findings
+    assert (found.kind, found.hosts) == ("late deliveries", ("10.77.0.1", "10.77.0.2", "10.77.0.3"))
+    assert "to 10.77.0.1, from 10.77.0.101 to 10.77.0.2 and from 10.77.0.101 to" in found.evidence
+    assert found.advice.startswith("Look for what fills the channel")
+
+
 def test_late_pings_beside_an_upload_show_a_crowded_link() -> None:
     (found,) = diagnosis("upload_fills_link").wrong
     assert (found.kind, found.hosts) == ("crowded link", ("10.77.0.2",))
     assert "mainly to 10.77.0.102" in found.evidence
-    assert "pings from 10.77.0.101 to 10.77.0.2 waited at least" in found.evidence
+    assert "and from 10.77.0.101 to 10.77.0.2 waited at least" in found.evidence
 
 
 def test_appended_files_do_not_set_the_clocks_of_hosts_back(tmp_path: Path) -> None:

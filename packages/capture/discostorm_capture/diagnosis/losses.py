@@ -148,13 +148,15 @@ def late_deliveries(evidence: Evidence) -> Iterator[Finding]:
     late = evidence.obs.events("jitter")
     late = late[late["port"] >= 1e3 * LIMITS.min_jitter]
     if len(late) and all(one.about == "event" for one in frame_loss(evidence)):
-        for to, rows in late.groupby("receiver", observed=True):
-            by = sorted({*rows["sender"].astype(str)})
-            finding = Finding.of("late delivery", (str(to),), rows["port"].max(), by)
-            if crowded := _crowded_link(evidence.obs, finding.evidence):
-                yield crowded
-                return
-            yield finding
+        worst = late.groupby(["sender", "receiver"], observed=True)["port"].max()
+        pairs = [(str(by), str(to)) for by, to in worst.index]
+        flows = [f"from {by} to {to}" for by, to in pairs]
+        text = say("late delivery", flows, worst.min())
+        to_all = {to for _, to in pairs}
+        # The link of one host may delay what goes both ways.
+        hosts = tuple(sorted(to_all.intersection(*pairs) or to_all))
+        kind = "late delivery" if len(hosts) == 1 else "late deliveries"
+        yield _crowded_link(evidence.obs, text) or Finding(kind, hosts, text)
 
 
 def skipped_samples(evidence: Evidence) -> Iterator[Finding]:
