@@ -49,9 +49,9 @@ class Process:
     lease: float = float("nan")
     domain_tag: str = ""
     has_credentials: bool = False
-    #: It announces only its writers, or only its readers.
-    is_half: bool = False
     static: bool = False
+    #: Whether it announces only its writers, or only its readers.
+    is_half: bool = False
     #: The version of Zenoh's protocol; 0 if unknown.
     version: int = 0
 

@@ -241,10 +241,9 @@ def _describe_crash(
             return Finding("process hangs", (host,), said)
         text, gone = text + say("no ICMP", host, later.sum()), True
     kind = "endless lease" if endless else "crash"
-    if len(dead) > 1 and not gone and on > when + LIMITS.timeout and kind == "crash":
-        times = obs.first_last[1][dead]
-        text += say("ended together", (times > when - 1).sum(), host, on)
-        kind = "ended together" if (times > when - 1).sum() > 1 else kind
+    together = int((obs.first_last[1][dead] > when - 1).sum())
+    if together > 1 and not gone and on > when + LIMITS.timeout and not endless:
+        kind, text = "ended together", text + say("ended together", together, host, on)
     return Finding("out of range" if gone else kind, (host,), text)
 
 

@@ -21,6 +21,8 @@ from discostorm_capture.sentences import join_names, say
 #: 5 % loss stayed below the heavy shares.
 SAMPLE_LOSS, SEGMENT_LOSS = (2, 0.001, 0.016), (3, 0.015, 0.13)
 ENDS = ("sender", "receiver")
+#: Findings that other programs fill a link, or other devices.
+CROWDED = ("crowded link", "crowded by a device")
 
 
 def find_losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Any, Any, Array]:
@@ -194,8 +196,7 @@ def _crowded_link(obs: Observations, text: str) -> Finding | None:
     text = f"{say('crowded link', host, rate, to + ' (to all hosts)' * to_all)}; {text}"
     if host not in obs.host_first_last and not to_all:  # a download, perhaps from another network
         host = host if obs.subnet_neighbors(host, [*obs.host_first_last]) else to
-    kind = "crowded link" if host in obs.host_first_last else "crowded by a device"
-    return Finding(kind, (host,), text)
+    return Finding(CROWDED[host not in obs.host_first_last], (host,), text)
 
 
 def multicast_loss(evidence: Evidence) -> Iterator[Finding]:

@@ -327,16 +327,18 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
     # A link that loses or delays frames may be slower than the channel.
     slow = [one for one in losses.frame_loss(evidence) if one.about == "fleet"]
     slow = slow or [*losses.late_deliveries(evidence)]
-    slow = [one for one in slow if not one.kind.startswith("crowded")]
+    slow = [one for one in slow if one.kind not in losses.CROWDED]
     limit = LIMITS.max_multicast_use if slow else LIMITS.max_channel_use
     kinds = {"stream by multicast": LIMITS.max_multicast_use}
     kinds |= {"stream on a slow link" if slow else "much data": limit}
     for (kind, limit), cast in zip(kinds.items(), (True, False), strict=True):
         rows = (seconds > 0) & (obs["multicast"] == cast)
-        flows = obs.rows_by(rows, sender.codes.to_numpy(), obs.sender_index, obs["writer"])
-        largest, key = max(((seconds[of].sum(), key) for key, of in flows.items()), default=(0, ()))
-        octets = int(obs["bytes"][flows[key]].sum()) if flows else 0
         fills = seconds[rows].sum() >= limit * max(obs.end, LIMITS.timeout)
+        if not (rows.any() and (fills or slow)):
+            continue
+        flows = obs.rows_by(rows, sender.codes.to_numpy(), obs.sender_index, obs["writer"])
+        largest, key = max((seconds[of].sum(), key) for key, of in flows.items())
+        octets = int(obs["bytes"][flows[key]].sum())
         # A link that is slow at times may carry less than the paper's channel.
         slows = slow and not cast and 2 * octets >= obs["bytes"].sum()
         if not (fills or (slows and 8 * octets >= LIMITS.slow_stream_rate * obs.end)):
