@@ -203,6 +203,16 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
             "compare the namespace in the Zenoh configuration",
         ),
         (
+            "bridge_beside_rmw_zenoh",
+            "10.77.0.3 gets no data, because it does not use rmw_zenoh (but zenoh-bridge-ros2dds",
+            "Set the same RMW_IMPLEMENTATION on all hosts",
+        ),
+        (
+            "router_keeps_a_topic",
+            "10.77.0.2 gets none of the samples of a topic, although its Zenoh router receives",
+            "look for access_control, low_pass_filter and downsampling",
+        ),
+        (
             "two_servers_of_a_service",
             "10.77.0.2 and 10.77.0.1 offer the same service",
             "stop the other server",

@@ -34,6 +34,12 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "the same ROS_DISCOVERY_SERVER (or Zenoh router, or peers in CYCLONEDDS_URI)",
         ),
         (
+            "looks_for_routers_only",
+            "10.77.0.3 looks only for a Zenoh router, and none answers",
+            "10.77.0.3 asked 4 times by multicast for a router, but not for peers",
+            "make peers connect to each other (set scouting/multicast/autoconnect",
+        ),
+        (
             "peer_beside_router",
             "10.77.0.3 uses a different discovery method than the other hosts",
             "n 10.77.0.3, discovery uses multicast; on 10.77.0.1, 10.77.0.101 and",

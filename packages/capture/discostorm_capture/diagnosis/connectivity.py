@@ -259,8 +259,12 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
         text = f"{hosts[index]} announces itself, but answers no other host and gets no answer"
         first = {host: obs.host_first_last[host][0] for host in hosts}
         stopped = first.pop(hosts[index]) - max(first.values()) >= LIMITS.timeout
-        text += f"{say('multicast stopped') * stopped}{_describe_arp_replies(obs, hosts[index])}"
-        yield Finding("multicast stopped" if stopped else "cut off", (hosts[index],), text)
+        kind = "multicast stopped" if stopped else "cut off"
+        text += say("multicast stopped") * stopped
+        scouts = obs.seq[obs.isin("kind", "Scout") & obs.isin("sender", hosts[index])]
+        if scouts.size and (scouts == 1).all():
+            kind, text = "no router", say("no router", [hosts[index]], len(scouts))
+        yield Finding(kind, (hosts[index],), f"{text}{_describe_arp_replies(obs, hosts[index])}")
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
         # Skip a host that misses only one other, if that one reaches no host.

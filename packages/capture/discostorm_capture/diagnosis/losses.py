@@ -182,6 +182,34 @@ def skipped_samples(evidence: Evidence) -> Iterator[Finding]:
         yield Finding.of("samples skipped", ends[-1:], ends[0], said)
 
 
+def withheld_samples(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that get no sample of a topic, although the samples reach their Zenoh router."""
+    obs, begins, known = evidence.obs, evidence.obs.first_last[0], evidence.endpoints
+    known = known[~obs.is_rtps[known["index"]]]
+    names = known[["topic", "type", "type_hash"]].astype(str).to_numpy().tolist()
+    known = known.assign(name=[" ".join(name) for name in names])
+    # A router's samples do not show which of several publishers of a topic sent them.
+    topics = dict(zip(known["entity"], known["name"], strict=True))
+    topic, named = obs.messages["writer"].map(topics).factorize()
+    pushed = obs.isin("kind", "Push") & (topic >= 0) & (not obs.recording.gaps)
+    got = obs.rows_by(pushed, obs.receiver_index, topic)
+    links = {*zip(obs.sender_index[pushed], obs.receiver_index[pushed], strict=True)}
+    texts: dict[str, list[str]] = {}
+    for (router, number), rows in got.items():
+        ends = known[known["name"].eq(str(named[number]))] if router in obs.servers else known[:0]
+        reads = ends[~ends["index"].isin(ends["index"][ends["writer"].eq(other=True)])]
+        for reader, host, read in reads[["index", "host", "topic"]].to_numpy():
+            count = int((obs.time[rows] > begins[reader] + LIMITS.startup_time).sum())
+            served = (router, reader) in links and not evidence.endings[reader]
+            if served and count >= LIMITS.min_calls and (reader, number) not in got:
+                at = obs.process_host[router]
+                texts.setdefault(host, []).append(
+                    say("samples withheld", count, ros_topic(read), at)
+                )
+    for host, said in texts.items():
+        yield Finding("samples withheld", (host,), join_names(said, "; "))
+
+
 def _crowded_link(obs: Observations, text: str) -> Finding | None:
     """Return a finding if one host sends most bytes of the capture by other programs."""
     flows = obs.events("other traffic").groupby("sender", observed=True)["port"].sum()

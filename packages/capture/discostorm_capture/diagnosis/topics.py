@@ -126,8 +126,7 @@ def uninformed_clients(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts whose clients get no endpoints from a server or router that serves others."""
     obs = evidence.obs
     sent = obs.isin("kind", SEDP) | obs.isin("submessage", "DeclareSubscriber", "Push")
-    sent &= np.isin(obs.sender_index, [*obs.servers])
-    told = {*obs.receiver_index[sent].tolist()} - {-1}
+    told = {*obs.receiver_index[sent & np.isin(obs.sender_index, [*obs.servers])].tolist()} - {-1}
     pairs = [pair for pair in evidence.expected_pairs if np.isfinite(pair.complete_at)]
     known = {of.subject for of in pairs if of.n_announced and of.observer in obs.servers}
     known = {one for one in known if np.ptp(obs.first_last, axis=0)[one] >= LIMITS.timeout}
@@ -136,8 +135,10 @@ def uninformed_clients(evidence: Evidence) -> Iterator[Finding]:
     uses = evidence.endpoints["host"][~evidence.endpoints["topic"].isin(NODE_TOPICS)]
     for host, own in obs.processes_by_host(sorted(idle)).items() if told else ():
         if host not in {*obs.hosts_of(told), *uses}:
-            kind = "told nothing" if obs.is_rtps[own[0]] else "router tells nothing"
-            yield Finding.of(kind, (host,), obs.hosts_of(sorted(told)))
+            others = [one for one in obs.hosts_of(sorted(told)) if one in {*uses}]
+            kind = "different keys" if others else "router tells nothing"
+            kind = "told nothing" if obs.is_rtps[own[0]] else kind
+            yield Finding.of(kind, (host,), others or obs.hosts_of(sorted(told)))
 
 
 def short_lived_processes(evidence: Evidence) -> Iterator[Finding]:
