@@ -113,6 +113,43 @@ def test_a_missing_host_that_asks_for_an_address_in_vain_is_told_with_it() -> No
     )
 
 
+@pytest.mark.parametrize(
+    ("name", "expected", "kind", "evidence", "action"),
+    [
+        (
+            "isolated_laptop",
+            ("10.77.0.1", "10.77.0.2", "10.77.0.3"),
+            "missing, isolated",
+            "again and again in vain, but exchanged packets with 10.77.0.102",
+            "Turn off client isolation",
+        ),
+        (
+            "uses_docker_interface",
+            ("10.77.0.1", "10.77.0.2"),
+            "missing, other interface",
+            "172.17.0.1 seems to be another address of 10.77.0.2",
+            "Tell the middleware on 10.77.0.2 which network interface to use",
+        ),
+    ],
+)
+def test_the_recording_host_shows_why_others_are_missing(
+    name: str, expected: tuple[str, ...], kind: str, evidence: str, action: str
+) -> None:
+    capture = ds.read_capture(Path(__file__).with_name("captures") / f"{name}.pcap.xz")
+    first, *others = capture.diagnosis(expected).wrong
+    assert (first.kind, others[1:]) == (kind, [])
+    assert evidence in first.evidence
+    assert first.advice.startswith(action)
+
+
+def test_a_client_of_another_router_may_be_out_of_sight() -> None:
+    capture = ds.read_capture(Path(__file__).with_name("captures") / "healthy_router_mesh.pcap.xz")
+    found = capture.diagnosis(("10.77.0.1", "10.77.0.101"))
+    assert found.healthy
+    (limit,) = (one for one in found.findings if one.kind == "maybe missing")
+    assert limit.hosts == ("10.77.0.101",)
+
+
 def test_what_is_wrong_with_a_missing_host_comes_before_general_checks() -> None:
     """Nothing listens on the host that should be the router: its system refuses connections."""
     path = REFERENCE / "captures" / "ills" / "server_never_there-zenoh-router.pcap.xz"

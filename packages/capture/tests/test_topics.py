@@ -183,6 +183,11 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
             "make them super clients",
         ),
         (
+            "command_line_tool_is_client",
+            "10.77.0.101 uses no topics of its own, so the Discovery Server announces the topics",
+            "make them super clients",
+        ),
+        (
             "published_once",
             "A process on 10.77.0.2 exited before any reader could get its samples",
             "wait for matching readers",

@@ -1,5 +1,6 @@
 """The evidence that the rules of a diagnosis share: observations, and what follows from them."""
 
+from collections import Counter
 from collections.abc import Collection
 from dataclasses import replace
 
@@ -52,15 +53,17 @@ class Evidence:
         ended = self.endings != ""
         ended[[*self.replaced_processes]] = True
         last = last + np.where(ended, 0.0, LIMITS.max_pause)
+        brief_hosts = Counter(obs.process_host[sorted(self.brief_processes)])
         for pair in self.all_pairs:
             begin = first[[*pair.processes]].max()
+            newer = obs.process_host[max(pair.processes, key=first.item)]
             stop = min(obs.end, last[[*pair.processes]].min())
             if pair.complete_at != np.inf:
                 self.expected_pairs.append(pair)
             elif stop - begin >= LIMITS.timeout:
                 self.expected_pairs.append(pair)
                 self.incomplete_pairs.append(pair)
-            elif stop == obs.end and begin <= stop:
+            elif stop == obs.end and begin <= stop and brief_hosts[newer] < LIMITS.min_loop_starts:
                 self.pending_pairs.append(pair)
         #: When each of the expected pairs completed, if the capture shows it [s].
         times = [pair.complete_at for pair in self.expected_pairs]

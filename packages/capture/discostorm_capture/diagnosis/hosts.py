@@ -147,10 +147,12 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
     asked, speakers = obs.unanswered_arp, {*obs.host_first_last}
     quiet = speakers - {sender for sender, to in obs.links_of(obs.messages) if to in speakers}
     texts: dict[str, list[str]] = {}
+    answered = {*obs.events("ARP reply")["receiver"].astype(str)}
     asked = {} if quiet == speakers and len(speakers) > 2 else asked  # not the fault of one host
     for (asker, target), times in asked.items():
         host = target if target in speakers else asker
         lasts = len(times) > 2 and np.ptp(times) >= LIMITS.timeout
+        lasts &= target in speakers or asker not in answered
         if lasts and host in quiet and (target, asker) not in asked:
             text = f"{asker} sent {len(times)} ARP requests for {target} and got no answer"
             texts.setdefault(host, []).append(text)
@@ -322,6 +324,10 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
                 text += f", not counting {join_names(sorted(apart))}, which seems to be a server"
             yield Finding("too few hosts", (), text)
     elif absent := tuple(host for host in expected or () if host not in present):
+        routers = {*obs.hosts_of(obs.servers)} - {obs.vantage_host}
+        if obs.vantage_host and routers and not obs.is_rtps.any():
+            yield Finding.of("maybe missing", absent, obs.vantage_host, sorted(routers))
+            return
         silent = [host for host in absent if obs.network_events["sender"].eq(host).any()]
         text = f"{len(absent)} of {len(expected or ())} expected hosts announced nothing: "
         text += join_names(absent)
@@ -335,6 +341,24 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
         kind = "missing" if len(silent) < len(absent) else "missing, but on"
         if present and not any(":" in of or obs.subnet_neighbors(of, present) for of in absent):
             kind = "missing, other subnet"
+        pairs = obs.links_of(obs.events("exchange", "connection"))
+        reached = [b for a, b in pairs if {a} == present and obs.subnet_neighbors(a, [b])]
+        if (
+            len(absent) > 1
+            and not silent
+            and {(a, b) for a in present for b in absent} <= {*obs.unanswered_arp}
+            and reached
+        ):
+            kind = "missing, isolated"
+            text += say("reaches", sorted(present), sorted({*reached}))
+        others = [host for host in present if not obs.subnet_neighbors(host, [*absent])]
+        if (
+            kind == "missing, but on"
+            and len(silent) == len(others) == 1
+            and all({*silent} & {*pair} for pair in pairs)
+        ):
+            kind = "missing, other interface"
+            text += say("other address", *silent, *others)
         own = obs.network_events.groupby("sender", observed=True)["time"].min()[silent].min()
         late = obs.time.min(initial=np.inf) + LIMITS.min_wait < own < obs.end - LIMITS.timeout
         if kind == "missing, but on" and late:

@@ -103,7 +103,17 @@ def slower_processes(evidence: Evidence) -> Iterator[Finding]:
             ends = ends[ends["entity"].isin([*by_writer[process]])]
             topics = sorted(ros_topic(of) for of in {*ends["topic"]} if "/" in of)
             named = f" (on {join_names(topics)})" if topics else ""
-            yield Finding.of("slows down", obs.hosts_of([process]), before, third, after, named)
+            values = obs.hosts_of([process]), before, third, after, named
+            lacks = obs.isin("submessage", "NACK_FRAG") | (obs["missing"] > 0)
+            asks = Counter(obs.sender_index[lacks & (obs.receiver_index == process)].tolist())
+            ((reader, count),) = asks.most_common(1) or [(process, 0)]
+            if count >= LIMITS.min_repeats and obs.first_last[0][reader] > begin:
+                who, since = obs.process_host[reader], obs.first_last[0][reader]
+                yield Finding(
+                    "slow reader", values[0], say("slow reader", *values, who, since, count)
+                )
+            else:
+                yield Finding.of("slows down", *values)
 
 
 def piling_processes(evidence: Evidence) -> Iterator[Finding]:

@@ -197,7 +197,9 @@ def withheld_samples(evidence: Evidence) -> Iterator[Finding]:
     texts: dict[str, list[str]] = {}
     for (router, number), rows in got.items():
         ends = known[known["name"].eq(str(named[number]))] if router in obs.servers else known[:0]
-        reads = ends[~ends["index"].isin(ends["index"][ends["writer"].eq(other=True)])]
+        # Skip publishers, which get their own samples at once, and other routers.
+        others = {*ends["index"]} - {*ends["index"][ends["writer"].eq(other=True)]} - obs.servers
+        reads = ends[ends["index"].isin(others)]
         for reader, host, read in reads[["index", "host", "topic"]].to_numpy():
             count = int((obs.time[rows] > begins[reader] + LIMITS.startup_time).sum())
             served = (router, reader) in links and not evidence.endings[reader]

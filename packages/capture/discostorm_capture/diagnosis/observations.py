@@ -1,5 +1,6 @@
 """The observations that a diagnosis reads: columns of messages, with indices of processes."""
 
+from collections import Counter
 from collections.abc import Iterable, Set
 from dataclasses import dataclass
 from functools import cached_property
@@ -110,6 +111,20 @@ class Observations:
         """Return the processes that sent a message selected by the mask."""
         return set(np.unique(self.sender_index[mask]).tolist()) - {-1}
 
+    def messages_between(self, process: int, to: int) -> Array:
+        """Return which messages a process sent to another one, or by multicast."""
+        there: Array = np.isin(self.receiver_index, (to, -1)) & (self.sender_index == process)
+        there &= self.isin("receiver", self.process_host[to]) | self["multicast"]
+        return there
+
+    def first_sample_times(self, process: int, writer: int, to: int | None = None) -> Array:
+        """Return when a process first sent each sample of a writer, to one process or any [s]."""
+        data = self.isin("submessage", "DATA", "DATA_FRAG", "Push") & (self["writer"] == writer)
+        data &= self.sender_index == process if to is None else self.messages_between(process, to)
+        rows = np.flatnonzero(data)
+        _, first = np.unique(self.seq[rows], return_index=True)
+        return np.asarray(self.time[rows[first]])
+
     def hosts_of(self, processes: Iterable[int]) -> tuple[str, ...]:
         """Return the distinct addresses of processes, in order."""
         return tuple(dict.fromkeys(str(self.process_host[process]) for process in processes))
@@ -198,7 +213,11 @@ class Observations:
 
 def vantage_host(messages: DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
     """Return the only host whose unicast was captured, if there are at least three hosts."""
-    pairs = Observations.links_of(messages[~messages["multicast"].to_numpy(bool)])
+    unicast = messages.loc[~messages["multicast"].to_numpy(bool), ["sender", "receiver"]]
+    counts = Counter(unicast.astype(str).itertuples(index=False, name=None))
+    # A switch that learns where a host is floods some frames to all ports, without the answers.
+    few = LIMITS.max_flooded_share * len(unicast)
+    pairs = [pair for pair, count in counts.items() if pair[::-1] in counts or count >= few]
     if len(hosts) < 3 or not pairs:
         return None
     # Servers do not count: all clients talk only to them.

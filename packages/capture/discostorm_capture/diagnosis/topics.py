@@ -10,12 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from discostorm import wording
 from discostorm.data import read_data
-from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
-from discostorm_capture.diagnosis.observations import ACKNACK, SAMPLE_KINDS, SEDP, Observations
+from discostorm_capture.diagnosis.observations import SAMPLE_KINDS, SEDP
+from discostorm_capture.diagnosis.pairs import server_clients
 from discostorm_capture.endpoints import RANKED_QOS, TIME_QOS, Endpoint, ros_topic, ros_type
 from discostorm_capture.sentences import join_names, say
 
@@ -30,10 +29,10 @@ _TOPIC_TYPES = read_data("diagnosis/robot_types.csv", "discostorm_capture")
 FINDINGS_BY_USE = {"read": "several commanders", "single": "several clocks", "map": "several maps"}
 VERBS = {"published": "publish", "read": "subscribe to"}
 USE_ON_ROBOTS = {row["type"]: row["robot"] for row in _TOPIC_TYPES}
-#: Process, entity id and number of the announcement, by service, "rq" or "rr", and if it writes.
-ServiceEndpoints = dict[tuple[str, str, bool], list[tuple[int, int, int]]]
 #: The policy that separates endpoints on purpose, for example the robots of two teams.
 PARTITION_POLICY = "PARTITION_QOS_POLICY"
+#: The type hash in the keys of rmw_zenoh in Humble, which has none (rmw_zenoh_cpp of Humble).
+NO_HASH = "TypeHashNotSupported"
 #: Maximum number of mismatches described in a finding.
 MAX_TOPICS = 3
 
@@ -83,34 +82,6 @@ def duplicate_launch(evidence: Evidence) -> Iterator[Finding]:
         yield from found.values()
 
 
-def service_problems(evidence: Evidence) -> Iterator[Finding]:
-    """Yield services with several servers, or whose client runs another DDS than the server."""
-    obs, ends = evidence.obs, evidence.endpoints
-    ends = ends[ends["topic"].astype(str).str.startswith("rq/")]
-    complete = not obs.endpoints["topic"].isna().any() and not evidence.incomplete_pairs
-    missing: dict[tuple[str, ...], list[str]] = {}
-    product = obs.processes["product"].to_numpy(object)[ends["index"]]
-    for (_, topic), rows in ends.assign(product=product).groupby(["scope", "topic"]):
-        client, name = rows["writer"].eq(other=True), ros_topic(str(topic))
-        hosts, callers = (rows["host"][role].unique() for role in (~client, client))
-        if len(hosts) > 1 and len(callers):
-            yield Finding.of("several servers", hosts, name)
-        if not len(hosts) and complete:
-            missing.setdefault(tuple(callers), []).append(name)
-        known = rows["product"].isin(["Fast DDS", "Cyclone DDS"])
-        foreign = rows[client & known & ~rows["product"].isin(rows["product"][~client])]
-        if len(foreign) and known[~client].any():
-            own, its = (rows["product"][one].unique() for one in (~client, foreign.index))
-            callers = foreign["host"].unique()
-            yield Finding.of("services differ", (*hosts, *callers), name, hosts, own, callers, its)
-    renamed = " ".join(one.evidence for one in topic_name_mismatches(evidence))
-    for waiting, names in missing.items():
-        if unknown := [name for name in names if f"{name} " not in renamed]:
-            calls = obs.isin("kind", "Request") & obs.isin("sender", *waiting)  # of Zenoh
-            kind = "no server" if calls.any() else "waits for server"
-            yield Finding(kind, waiting, say("no server", waiting, unknown))
-
-
 def different_distributions(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts where a process of ROS 2 announces no type hashes, as others do."""
     for _, ends in evidence.endpoints.groupby("scope"):
@@ -132,10 +103,14 @@ def uninformed_clients(evidence: Evidence) -> Iterator[Finding]:
     known = {one for one in known if np.ptp(obs.first_last, axis=0)[one] >= LIMITS.timeout}
     idle = known - told - evidence.early_processes
     # Skip nodes with topics of their own, which may match none; tools have only every node's.
-    uses = evidence.endpoints["host"][~evidence.endpoints["topic"].isin(NODE_TOPICS)]
+    ends = evidence.endpoints[~evidence.endpoints["topic"].isin([*NODE_TOPICS, GRAPH_TOPIC])]
+    uses, at = {*ends["host"]}, obs.vantage_host
+    if not uses:  # all that the server told this host, which recorded it
+        tools = [one for one in sorted(known & server_clients(obs)) if obs.process_host[one] == at]
+        yield from (Finding.of("tool is client", obs.hosts_of([one])) for one in tools[:1])
     for host, own in obs.processes_by_host(sorted(idle)).items() if told else ():
-        if host not in {*obs.hosts_of(told), *uses}:
-            others = [one for one in obs.hosts_of(sorted(told)) if one in {*uses}]
+        if host not in uses.union(obs.hosts_of(told)):
+            others = [one for one in obs.hosts_of(sorted(told)) if one in uses]
             kind = "different keys" if others else "router tells nothing"
             kind = "told nothing" if obs.is_rtps[own[0]] else kind
             yield Finding.of(kind, (host,), others or obs.hosts_of(sorted(told)))
@@ -236,7 +211,7 @@ def missed_samples(evidence: Evidence) -> Iterator[Finding]:
         begin = begins[reader]
         if host == by or begin >= obs.end - LIMITS.timeout:
             continue
-        last = _first_sample_times(obs, process, writer).max(initial=-np.inf)
+        last = obs.first_sample_times(process, writer).max(initial=-np.inf)
         kind, at = ("missed samples", by) if takes_no_old else ("expired samples", host)
         if last < begin and (
             last > -np.inf if takes_no_old else begins[process] + lifespan < begin
@@ -247,57 +222,12 @@ def missed_samples(evidence: Evidence) -> Iterator[Finding]:
         yield Finding(kind, (at,), "; ".join(said))
 
 
-def silent_services(evidence: Evidence) -> Iterator[Finding]:
-    """Yield servers of DDS that get requests again and again, but never reply, or only late."""
-    obs, texts = evidence.obs, dict[str, list[str]]()
-    ends = _endpoints_by_service(evidence)
-    for service in sorted({service for service, *_ in ends}):
-        asking, serving, replying = (
-            ends.get((service, *role), []) for role in (("rq", True), ("rq", False), ("rr", True))
-        )
-        replies, asks = (
-            [t for one, entity, _ in of for t in _first_sample_times(obs, one, entity).tolist()]
-            for of in (replying, asking)
-        )
-        lasts = len(asks) >= LIMITS.min_calls and np.ptp(asks) >= LIMITS.timeout
-        pairs = zip(sorted(asks), sorted(replies), strict=False)
-        delay = float(np.median([reply - asked for asked, reply in pairs] or [0.0]))
-        # The result of an action is asked for in advance.
-        slow = lasts and delay >= LIMITS.min_hang and not service.endswith("get_result")
-        for host in obs.hosts_of(one for one, *_ in serving) if slow else ():
-            yield Finding.of("slow service", (host,), service, delay, len(replies), len(asks))
-        for host in obs.hosts_of(one for one, *_ in serving) if lasts and not replies else ():
-            by = obs.hosts_of(one for one, *_ in asking)
-            texts.setdefault(host, []).append(say("no reply", service, by, len(asks), host))
-    for host, said in texts.items():
-        yield Finding("no reply", (host,), "; ".join(said))
-
-
-def silent_zenoh_services(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts whose Zenoh process replies to no request, or by errors."""
-    obs = evidence.obs
-    zenoh = evidence.endpoints[~obs.is_rtps[evidence.endpoints["index"]]]
-    asked = zenoh["topic"].astype(str).str.startswith("rq/")
-    served = zenoh[asked & ~zenoh["writer"].astype(bool)]
-    for _, rows in served.groupby("index"):
-        process, host = rows["index"].iloc[0], str(rows["host"].iloc[0])
-        times = obs.time[obs.isin("submessage", "Request") & (obs.receiver_index == process)]
-        good, bad = (
-            int((obs.isin("submessage", way) & (obs.sender_index == process)).sum())
-            for way in ("Response", "ResponseErr")
-        )
-        lasts = len(times) >= LIMITS.min_calls and np.ptp(times) >= LIMITS.timeout
-        if lasts and (not good or bad >= LIMITS.min_calls):
-            names = sorted({*rows["topic"].map(ros_topic)})
-            yield Finding.of("no Zenoh reply", (host,), len(times), names, good, bad)
-
-
 def log_flood(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with a process that logs very often."""
     obs, logs = evidence.obs, evidence.endpoints
     logs = logs[logs["topic"].isin(["rt/rosout", "/rosout"]) & logs["writer"].eq(other=True)]
     for process, writer, host in logs[["index", "entity", "host"]].itertuples(index=False):
-        times = np.sort(_first_sample_times(obs, process, writer))
+        times = np.sort(obs.first_sample_times(process, writer))
         seconds = np.unique(times.astype(np.int64), return_counts=True)[1]
         if (seconds >= LIMITS.log_rate).sum() >= LIMITS.min_stream_seconds:
             yield Finding.of("log flood", (host,), seconds.max())
@@ -373,6 +303,8 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
                 hashes = writer.type_hash[:16], reader.type_hash[:16]
                 # DDS matches types by name.
                 kind = "definitions differ" if is_rtps else "hashes differ"
+                if NO_HASH in (writer.type_hash, reader.type_hash):
+                    kind = "no hashes"
                 if writer.type != reader.type:
                     kind, text = "types differ", say("types", at[0], types[0], at[1], types[1])
                 elif all(hashes):  # a process need not announce its type's hash
@@ -397,7 +329,7 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
         more = f"; and {len(texts) - MAX_TOPICS} more" if len(texts) > MAX_TOPICS else ""
         text = "; ".join([*texts][:MAX_TOPICS]) + more
         hosts = set[str]().union(*texts.values())
-        if kind == "transports differ":  # the same host may be the odd one on all these topics
+        if kind in ("transports differ", "no hashes"):  # of one host, on all these topics
             hosts = hosts.intersection(*texts.values()) or hosts
         yield Finding(kind, tuple(sorted(hosts)), text)
 
@@ -428,73 +360,3 @@ def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
 
 def _format_duration(seconds: float) -> str:
     return "no limit" if seconds == float("inf") else f"{seconds:g} s"
-
-
-def early_requests(evidence: Evidence) -> Iterator[Finding]:
-    """Yield services that never replied because they discovered the reply's reader too late."""
-    obs, texts, lost, hosts = evidence.obs, list[str](), 0, dict[str, None]()
-    data = obs.isin("kind", "User data")
-    sends = obs.rows_by(data, obs.sender_index, obs["writer"])
-    ends = _endpoints_by_service(evidence)
-    for service in sorted({service for service, *_ in ends}):
-        asking, readers, writers = (
-            ends.get((service, *role), []) for role in (("rq", True), ("rr", False), ("rr", True))
-        )
-        for (client, _, number), (server, replies, _) in product(readers, writers):
-            # Skip processes with several clients: it is unknown which one reads which reply.
-            asks = [entity for process, entity, _ in asking if process == client]
-            names = obs.hosts_of((client, server))
-            if len(names) < 2 or len(asks) != 1 or (client, asks[0]) not in sends:
-                continue
-            announced = _confirmed_announcement_time(obs, client, server, number)
-            requests = _first_sample_times(obs, client, asks[0], server)
-            early = requests[requests < announced - LIMITS.max_blocking_time]
-            later = requests[len(early) :].min(initial=np.inf)
-            times = _first_sample_times(obs, server, replies, client)
-            missing = len(early) - int(np.sum((times >= early.min(initial=0)) & (times < later)))
-            if missing > 0:
-                text = say("early request", service, *names, early[0], announced - early[0])
-                texts, lost, hosts = [*texts, text], lost + missing, hosts | dict.fromkeys(names)
-    if texts:
-        text = f"{join_names(texts, '; ')}; {wording.count_noun(lost, 'request')} got no reply"
-        yield Finding("early requests", tuple(hosts), text)
-
-
-def _endpoints_by_service(evidence: Evidence) -> ServiceEndpoints:
-    """Return the endpoints of services: clients write requests ("rq") and read replies ("rr")."""
-    names = ("index", "entity", "number", "topic", "writer")
-    columns = (evidence.endpoints[name].tolist() for name in names)
-    found: dict[tuple[str, str, bool], list[tuple[int, int, int]]] = {}
-    for process, entity, number, topic, writer in zip(*columns, strict=True):
-        prefix, _, name = topic.partition("/")
-        if prefix in ("rq", "rr"):
-            name = name.removesuffix("Request").removesuffix("Reply")
-            found.setdefault((name, prefix, writer), []).append((process, entity, number))
-    return found
-
-
-def _confirmed_announcement_time(obs: Observations, process: int, to: int, number: int) -> float:
-    """Return when a reader was announced to a process that confirmed it [s]; 0 if never."""
-    sent = obs.isin("kind", SEDP) & obs.isin("entity", "subscriptions") & (obs.seq == number)
-    times = obs.time[sent & _messages_between(obs, process, to) & ~obs["ends"]]
-    acks = obs.isin("kind", ACKNACK) & obs.isin("entity", "subscriptions") & (obs.seq > number)
-    confirmed = obs.time[acks & _messages_between(obs, to, process)].min(initial=np.inf)
-    return float(times[times <= confirmed].max(initial=0.0))
-
-
-def _first_sample_times(
-    obs: Observations, process: int, writer: int, to: int | None = None
-) -> Array:
-    """Return when a process first sent each sample of a user writer, to one process or any [s]."""
-    data = obs.isin("submessage", "DATA", "DATA_FRAG", "Push") & (obs["writer"] == writer)
-    data &= obs.sender_index == process if to is None else _messages_between(obs, process, to)
-    rows = np.flatnonzero(data)
-    _, first = np.unique(obs.seq[rows], return_index=True)
-    return np.asarray(obs.time[rows[first]])
-
-
-def _messages_between(obs: Observations, process: int, to: int) -> Array:
-    """Return which messages a process sent to another one, or by multicast."""
-    there: Array = np.isin(obs.receiver_index, (to, -1)) & (obs.sender_index == process)
-    there &= obs.isin("receiver", obs.process_host[to]) | obs["multicast"]
-    return there
