@@ -273,7 +273,8 @@ class Capture:
 
         hosts = parse_expected_hosts(expected)
         rows = self._messages_between_hosts()
-        rows = rows.assign(airtime_s=self.airtime(), user=counts.user_data_shares(rows))
+        airtime = self.airtime().loc[rows.index]  # an empty table would get all rows
+        rows = rows.assign(airtime_s=airtime, user=counts.user_data_shares(rows))
         messages = observations.remove_clock_steps(rows, self._recording)
         events = observations.remove_clock_steps(self._network_events, self._recording)
         if self._recording.clock_steps:

@@ -1,7 +1,8 @@
 """Sentences of ``data/written/sentences.toml``, and lists of names in them."""
 
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from itertools import groupby
 from typing import Any
 
 import numpy as np
@@ -27,3 +28,9 @@ def join_names(names: Sequence[str] | Array, separator: str = "") -> str:
     if (rest := len(names) - MAX_NAMES + 1) > 1:
         names = [*names[: MAX_NAMES - 1], f"{separator and 'and '}{rest} more"]
     return separator.join(names) if separator else wording.join_words([*names])
+
+
+def join_seconds(pairs: Iterable[tuple[str, str]]) -> dict[str, str]:
+    """Return the second names of pairs, joined, by the first name."""
+    groups = groupby(sorted(pairs), lambda pair: pair[0])
+    return {one: join_names([other for _, other in group]) for one, group in groups}

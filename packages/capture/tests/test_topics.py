@@ -159,6 +159,24 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "10.77.0.2 opened",
             "Send less to 10.77.0.2",
         ),
+        (
+            "bridges_of_three_topics",
+            "10.77.0.101 and 10.77.0.1 run bridges between DDS and Zenoh that also hear each",
+            "they also sent these samples to each other",
+            "Connect 10.77.0.101 and 10.77.0.1 only through the bridges",
+        ),
+        (
+            "broadcasts_fill_the_air",
+            "frames are lost or late while programs other than ROS 2 on 10.77.0.2, 10.77.0.3,",
+            "Programs other than ROS 2 send 0.3 Mbit/s to 255.255.255.255",
+            "for MAVROS, set gcs_url to udp://",
+        ),
+        (
+            "small_receive_buffer",
+            "10.77.0.101 loses parts of large samples on arrival, because bursts overflow its",
+            "requested parts of large samples again, although the capture, recorded there",
+            "raise net.core.rmem_max",
+        ),
     ],
 )
 def test_the_first_sentence_has_the_cause_and_the_action_follows(
@@ -186,6 +204,11 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
             "command_line_tool_is_client",
             "10.77.0.101 uses no topics of its own, so the Discovery Server announces the topics",
             "make them super clients",
+        ),
+        (
+            "laptop_behind_router",
+            "10.78.0.5, in a different subnet, exchanges packets with the other hosts, but no",
+            "let them discover the others by unicast",
         ),
         (
             "published_once",

@@ -40,6 +40,42 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "Run the same ROS 2 distribution on all hosts",
         ),
         (
+            "localhost_only_any",
+            "the programs on 10.77.0.2 use only the loopback interface, so no other host hears",
+            "but its DDS processes (2) sent only to themselves (127.0.0.1)",
+            "On 10.77.0.2, unset ROS_LOCALHOST_ONLY",
+        ),
+        (
+            "router_alone",
+            "the Zenoh router on 10.77.0.101 has sessions only with programs on its own host",
+            "but its router exchanged Zenoh messages only with itself (127.0.0.1)",
+            "Name the router of another host in connect/endpoints of the router on 10.77.0.101",
+        ),
+        (
+            "number_of_another_server",
+            "10.77.0.4 asks for a server number that the server does not have",
+            "to 10.77.0.102 with one server number, but the server that answers 10.77.0.1",
+            "move the server's address within ROS_DISCOVERY_SERVER",
+        ),
+        (
+            "old_zenoh_version",
+            "10.77.0.101 speaks a different version of the Zenoh protocol than the router",
+            "it speaks version 8 of the Zenoh protocol, while Zenoh 1.x speaks version 9",
+            "Install the same release of Zenoh",
+        ),
+        (
+            "too_few_peer_ports",
+            "10.77.0.101 and 10.77.0.3 run more processes than there are ports at which",
+            "but other hosts search only at ports 7410 to 7416, by unicast",
+            "Raise maxInitialPeersRange",
+        ),
+        (
+            "container_bridge",
+            "172.17.0.2 is in the network of containers (172.17.0.0/16 is Docker's default)",
+            "and none got an answer from another subnet",
+            "`docker run --network host`",
+        ),
+        (
             "looks_for_routers_only",
             "10.77.0.3 looks only for a Zenoh router, and none answers",
             "10.77.0.3 asked 4 times by multicast for a router, but not for peers",

@@ -13,7 +13,7 @@ import pandas as pd
 from discostorm import _checks, wording
 from discostorm.data import data_path
 from discostorm.files import json_ready
-from discostorm_capture.diagnosis import connectivity, losses, topics
+from discostorm_capture.diagnosis import groups, losses, topics
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding, finding_kinds, to_sentence
 from discostorm_capture.diagnosis.observations import SEDP, Observations
@@ -246,7 +246,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
     lossy = _unreplaced(losses.frame_loss(evidence), [*causes, *events])
     if obs.recording.truncated_share > LIMITS.max_truncated_share:
-        causes, lossy = list(connectivity.different_domains(evidence)), []
+        causes, lossy = list(groups.different_domains(evidence)), []
     causes = _unreplaced(causes, lossy) or list(unexplained_pairs(evidence, "not authenticated"))
     lossy = lossy or ([] if causes else list(losses.multicast_loss(evidence)))
     if not (causes or lossy or limits):

@@ -94,7 +94,9 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
             answers = f", to which others sent {count} messages" if count else ""
             text = f"{host} announces itself as {join_names(announced)}{answers}"
             wrong.setdefault(kind, {})[host] = text
-        elif announced and member not in working and (other := _address_in_fleet(obs, host)):
+        elif (
+            host and announced and member not in working and (other := _address_in_fleet(obs, host))
+        ):
             text = say("other interface", other, host, announced)
             wrong.setdefault("other interface", {}).update({other: text, host: text})
     for kind, texts in wrong.items():
@@ -109,6 +111,21 @@ def _address_in_fleet(obs: Observations, host: str) -> str:
     if ":" in host or obs.subnet_neighbors(host, others):
         return ""
     return next((one for one in sorted(same) if obs.subnet_neighbors(one, others) == others), "")
+
+
+def loopback_only(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the host that recorded, if its DDS processes or Zenoh router use only loopback."""
+    obs = evidence.obs
+    local = np.array([ip_address(host).is_loopback for host in obs.process_host], bool)
+    links = obs.links_of(obs.events("exchange", "connection", "other traffic"))
+    pairs = [{*pair} for pair in links if not any(ip_address(end).is_loopback for end in pair)]
+    common = set.intersection(*pairs) if pairs else set()
+    # Nodes of rmw_zenoh reach their router by loopback, and the router reaches other hosts.
+    kinds = {"loopback only": obs.is_rtps, "router alone": ~obs.is_rtps & obs.is_server}
+    for kind, chosen in kinds.items():
+        count = int((local & chosen).sum())
+        if count and len(common) == 1 and not common & {*obs.process_host[chosen & ~local]}:
+            yield Finding.of(kind, sorted(common), count)
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
@@ -289,6 +306,20 @@ def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
                 text += say("same network", near, "is" if len(near) == 1 else "are")
         asks = join_names([f"{of} sent {times}" for of, times in counts.items()])
         yield Finding(kind, (target,), f"ARP requests for {target} got no answer ({asks}){text}")
+
+
+def hosts_of_other_subnets(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts without messages that exchange packets with several hosts from another subnet."""
+    obs, known = evidence.obs, evidence.obs.host_first_last
+    links = obs.links_of(obs.events("other traffic", "connection"))
+    partners: dict[str, list[str]] = {}
+    for one, other in sorted(links):
+        private = ip_address(one).is_private and not ip_address(one).is_loopback
+        if private and other in known and one not in known and (other, one) in links:
+            partners.setdefault(one, []).append(other)
+    for host, others in partners.items():
+        if len(others) > 1 and not obs.subnet_neighbors(host, [*known]):
+            yield Finding.of("outsider", (host,), others)
 
 
 def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:

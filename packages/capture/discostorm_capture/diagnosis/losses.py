@@ -22,7 +22,7 @@ from discostorm_capture.sentences import join_names, say
 SAMPLE_LOSS, SEGMENT_LOSS = (2, 0.001, 0.016), (3, 0.015, 0.13)
 ENDS = ("sender", "receiver")
 #: Findings that other programs fill a link, or other devices.
-CROWDED = ("crowded link", "crowded by a device")
+CROWDED = ("crowded link", "crowded by a device", "crowded by broadcast")
 
 
 def find_losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Any, Any, Array]:
@@ -213,11 +213,17 @@ def withheld_samples(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _crowded_link(obs: Observations, text: str) -> Finding | None:
-    """Return a finding if one host sends most bytes of the capture by other programs."""
-    flows = obs.events("other traffic").groupby("sender", observed=True)["port"].sum()
-    octets = int(flows.max()) if len(flows) else 0
-    if octets < LIMITS.min_other_share * (flows.sum() + obs["bytes"].sum()):
-        return None
+    """Return a finding if other programs of one host send most bytes, or broadcast many."""
+    sent = obs.events("other traffic")
+    flows, total = sent.groupby("sender", observed=True)["port"].sum(), obs["bytes"].sum()
+    octets, total = int(flows.max()) if len(flows) else 0, flows.sum() + total
+    if octets < LIMITS.min_other_share * total:
+        cast = sent[sent["receiver"].astype(str).str.endswith(".255")]
+        if cast["port"].sum() < LIMITS.min_broadcast_share * total or cast.empty:
+            return None
+        rate = f"{8e-6 * cast['port'].sum() / max(obs.end, LIMITS.timeout):.2g} Mbit/s"
+        said, hosts = say("broadcasts", rate, cast["receiver"].unique()), cast["sender"].unique()
+        return Finding(CROWDED[2], tuple(map(str, hosts)), f"{said}; {text}")
     host = str(flows.idxmax())
     rate = f"{8e-6 * octets / max(obs.end, LIMITS.timeout):.2g} Mbit/s"
     own = obs.events("other traffic").query("sender == @host")

@@ -247,7 +247,8 @@ def looping_bridges(evidence: Evidence) -> Iterator[Finding]:
     data, pushed = obs.isin("kind", "User data") & ~obs["multicast"], obs.isin("kind", "Push")
     counts = dict[str, tuple[int, int]]()
     for host, own in obs.processes_by_host(both[both].index.unique("index")).items():
-        repeated = len(np.unique(obs.seq[data & np.isin(obs.sender_index, own)]))
+        sent = data & np.isin(obs.sender_index, own)
+        repeated = len(obs.rows_by(sent, obs.sender_index, obs["writer"], obs.seq))
         came = int((pushed & obs.isin("receiver", host)).sum())
         few, many = sorted((came, repeated))
         if few >= LIMITS.min_repeated and many <= LIMITS.max_repeat_ratio * few:

@@ -22,7 +22,7 @@ from discostorm_capture.diagnosis.observations import (
 from discostorm_capture.diagnosis.pairs import server_clients
 from discostorm_capture.endpoints import ros_topic
 from discostorm_capture.sentences import join_names, say
-from discostorm_capture.zenoh_messages import ZENOH_PORT
+from discostorm_capture.zenoh_messages import READABLE_VERSIONS, ZENOH_PORT
 
 FLOOD_KINDS = (SEDP, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
 #: Names of ROS 2 software other than DDS and Zenoh, by UDP port.
@@ -158,6 +158,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         tried = {port for caller, _, port in asked if caller in failed}
         answers = {port for caller, _, port in asked if caller in served}
         free = sorted({*obs.hosts_of(searching)} - {*failed})
+        meant = obs.receiver_index[calls & obs.isin("sender", *failed) & obs.isin("receiver", host)]
         if answers and tried - answers:
             ports = sorted(tried - answers), f"{asks} {text}", sorted(answers)
             yield Finding.of("wrong port", failed, host, *ports)
@@ -172,7 +173,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
             if arp and not refused and np.isinf(last):  # without a process, it would send ICMP
                 kind, spoke = "server blocked", say("on by ARP", arp)
             yield Finding(kind, (host,), f"{asks} to {to} {text}; {spoke}")
-        elif not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
+        elif not (obs.process_host[meant[meant >= 0]] == host).any():
             yield Finding.of("server number", failed, host, served, count)
         elif not (heard & obs.isin("sender", *failed)).any():
             yield Finding.of("unserved", failed, host, f"{count} times", served)
@@ -219,11 +220,11 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             text += "each was closed before a session began"
             kind, versions = "session refused", obs.processes["version"]
             old, new = ({*versions[obs.process_host == end]} - {0} for end in (caller, host))
-            if old and new and not old & new:
-                kind = "different releases"
-                text += (
-                    f"; the two ends speak versions {max(old)} and {max(new)} of the Zenoh protocol"
-                )
+            newest = max(READABLE_VERSIONS)
+            if old and not old & (new or {newest}):
+                ends = max(old), max(new, default=newest)
+                kind, said = "different releases", "both versions" if new else "old version"
+                text += say(said, *ends)
             yield Finding(kind, (caller,), text)
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
             text += "unlike the others, sent no unencrypted Zenoh messages there"
@@ -435,8 +436,12 @@ def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
     asks = obs.isin("submessage", "NACK_FRAG") & ~obs["multicast"]
     asked = Counter(obs.messages["sender"][asks].astype(str))
     hosts = sorted(of for of, count in asked.items() if count >= LIMITS.min_fragment_requests)
-    if hosts and not [*losses.frame_loss(evidence)]:
-        text = [f"{host} ({wording.count_noun(asked[host], 'time')})" for host in hosts]
+    kinds = {one.kind for one in losses.frame_loss(evidence)}
+    text = [f"{host} ({wording.count_noun(asked[host], 'time')})" for host in hosts]
+    # What a capture from the receiver contains has reached it.
+    if hosts == [obs.vantage_host] and kinds <= {"some loss"} and obs.events("incomplete").empty:
+        yield Finding.of("full buffers", hosts, text)
+    elif hosts and not kinds:
         yield Finding.of("burst loss", hosts, text)
 
 
