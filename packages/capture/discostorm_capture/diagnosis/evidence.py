@@ -165,7 +165,7 @@ def _is_silent(obs: Observations, process: int, enough: float) -> bool:
     """Return whether a process sent nothing at the end, for much longer than it paused before."""
     times = obs.time[obs.sender_index == process]
     pause = float(np.diff(times).max(initial=0.0))
-    last = times[-1] if len(times) else -np.inf
+    last = times[-1] if len(times) else np.inf
     return bool(obs.end - last > max(LIMITS.min_pause_ratio * pause, enough))
 
 

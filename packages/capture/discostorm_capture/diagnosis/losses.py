@@ -217,7 +217,7 @@ def _crowded_link(obs: Observations, text: str) -> Finding | None:
     sent = obs.events("other traffic")
     flows, total = sent.groupby("sender", observed=True)["port"].sum(), obs["bytes"].sum()
     octets, total = int(flows.max()) if len(flows) else 0, flows.sum() + total
-    if octets < LIMITS.min_other_share * total:
+    if not octets or octets < LIMITS.min_other_share * total:
         cast = sent[sent["receiver"].astype(str).str.endswith(".255")]
         if cast["port"].sum() < LIMITS.min_broadcast_share * total or cast.empty:
             return None
