@@ -160,7 +160,8 @@ class Capture:
         from discostorm_capture.diagnosis.observations import vantage_host
 
         hosts = set(self._processes["host"]) - {""}
-        return vantage_host(self._messages_without_shutdown(), hosts, set(self.servers()))
+        rows, processes = self._messages_without_shutdown(), self._processes
+        return vantage_host(rows, processes, hosts, set(self.servers()))
 
     def airtime(self, wifi: AnyWifi = PAPER, wired: Sequence[str] | None = None) -> pd.Series:
         """Return the airtime of each message on a channel, uplink and downlink [s].

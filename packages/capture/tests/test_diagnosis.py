@@ -2,6 +2,7 @@
 
 import json
 import lzma
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -276,6 +277,15 @@ def test_who_asks_no_more_was_answered(tmp_path: Path) -> None:
 def test_a_sick_fleet_that_is_complete_is_said_to_be_so() -> None:
     text = ill("loss_of_20__-zenoh_peer").diagnosis().summary()
     assert text.startswith("Discovery is complete, but not healthy: many frames are lost")
+
+
+def test_discovery_that_fills_the_channel_is_why_frames_are_lost() -> None:
+    capture = ill("loss_of_20__-fast_dds")
+    rows = capture._messages
+    more = rows["frames"].where(rows["kind"].str.startswith("User"), np.float32(300))
+    first = replace(capture, _messages=rows.assign(frames=more)).diagnosis().findings[0]
+    assert first.kind == "discovery fills channel"
+    assert first.advice.startswith("Use fewer processes")
 
 
 @pytest.mark.parametrize(

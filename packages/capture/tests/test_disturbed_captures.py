@@ -155,3 +155,25 @@ def test_the_first_finding_is_the_cause(
 ) -> None:
     first = diagnosed(found()).findings[0]
     assert (first.kind, [*first.hosts]) == (kind, hosts)
+
+
+@pytest.mark.parametrize(
+    ("name", "hosts"),
+    [("missing_zenoh_peers", {1}), ("missing_fell_silent_zenoh", {1}), ("slow_session_closed", {})],
+)
+def test_a_host_that_is_seen_on_loopback_only_did_not_crash(name: str, hosts: set[int]) -> None:
+    """Some packets, or all, go over loopback, as in a capture of all interfaces of a host."""
+
+    def looped(ip: bytes) -> bytes:
+        ends = (ip[12:16], ip[16:20])
+        chosen = [end[0] == 10 and (end[3] in hosts or not hosts) for end in ends]
+        return (
+            ip[:12]
+            + b"".join(
+                b"\x7f\0\0\1" if change else end for end, change in zip(ends, chosen, strict=True)
+            )
+            + ip[20:]
+        )
+
+    found = diagnosed([(time, looped(ip)) for time, ip in datagrams(name, STAGED)])
+    assert not {"crash", "out of range"} & {one.kind for one in found.findings}

@@ -142,6 +142,15 @@ def test_the_recording_host_shows_why_others_are_missing(
     assert first.advice.startswith(action)
 
 
+def test_a_number_of_hosts_that_is_not_met_names_the_address_that_is_sought_in_vain() -> None:
+    path = Path(__file__).with_name("captures") / "peer_at_an_old_address.pcap.xz"
+    first = ds.read_capture(path).diagnosis(4).findings[0]
+    assert (first.kind, first.hosts) == ("too few hosts, wrong address", ("10.77.0.101",))
+    assert "10.77.0.101 for 10.77.0.33" in first.evidence
+    assert "10.77.0.3 sent packets of other programs, but announced nothing" in first.evidence
+    assert first.advice.startswith("On 10.77.0.101, correct the address")
+
+
 def test_a_client_of_another_router_may_be_out_of_sight() -> None:
     capture = ds.read_capture(Path(__file__).with_name("captures") / "healthy_router_mesh.pcap.xz")
     found = capture.diagnosis(("10.77.0.1", "10.77.0.101"))

@@ -208,7 +208,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         (
             "laptop_behind_router",
             "10.78.0.5, in a different subnet, exchanges packets with the other hosts, but no",
-            "let them discover the others by unicast",
+            "discover each other by unicast",
         ),
         (
             "published_once",

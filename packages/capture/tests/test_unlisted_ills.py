@@ -40,6 +40,12 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "Run the same ROS 2 distribution on all hosts",
         ),
         (
+            "security_seen_from_outside",
+            "10.77.0.101 differs from the other hosts in DDS Security, which is enabled on",
+            "DDS Security is enabled on 10.77.0.1, 10.77.0.2 and 10.77.0.3",
+            "Compare ROS_SECURITY_ENABLE and ROS_SECURITY_KEYSTORE",
+        ),
+        (
             "localhost_only_any",
             "the programs on 10.77.0.2 use only the loopback interface, so no other host hears",
             "but its DDS processes (2) sent only to themselves (127.0.0.1)",
@@ -705,10 +711,13 @@ def test_what_may_be_on_purpose_is_an_event_of_a_healthy_fleet() -> None:
             "10.77.0.2",
             "Raise MaxAutoParticipantIndex",
         ),
+        ("nine_of_ten_indices", "no free index", "10.77.0.2", "Raise MaxAutoParticipantIndex"),
+        ("teleop_without_namespace", "topic names", "10.77.0.101", "the namespaces of the nodes"),
     ):
         found = diagnosis(name)
-        (first,) = found.findings
+        first, *others = found.findings
         assert (found.healthy, first.kind, first.about) == (True, kind, "event")
+        assert {one.about for one in others} <= {"capture"}
         assert host in first.hosts
         assert advice in found.summary()
 
@@ -1004,7 +1013,7 @@ def test_packets_that_come_in_bursts_after_pauses_show_a_radio_that_scans() -> N
             "10.78.0.5",
             "missing, other subnet",
             "10.78.0.5 sent other packets",
-            "Give all hosts addresses in one subnet",
+            "Let nodes on 10.78.0.5 and on the other hosts",
         ),
         (
             "name_of_router_unknown",
@@ -1114,6 +1123,23 @@ def test_frames_that_a_switch_floods_do_not_hide_where_the_capture_was_recorded(
     assert [one.hosts for one in found.findings if one.kind == "view of one host"] == [
         ("10.77.0.101",)
     ]
+
+
+def test_the_address_of_a_vpn_does_not_hide_where_the_capture_was_recorded() -> None:
+    found = diagnosis("healthy_vpn_beside")  # robots send to the VPN's address of the laptop, too
+    assert found.healthy
+    assert [one.hosts for one in found.findings] == [("10.77.0.101",)]
+
+
+def test_a_server_restart_that_one_client_recorded_is_none_of_the_client() -> None:
+    first = diagnosis("healthy_server_restart").findings[0]
+    assert (first.kind, first.hosts) == ("server restarted", ("10.77.0.102",))
+
+
+def test_a_computer_that_answers_once_more_while_it_goes_down_restarted() -> None:
+    first = diagnosis("computer_reboots").findings[0]
+    assert (first.kind, first.hosts) == ("host restarted", ("10.77.0.2",))
+    assert "look at its power" in first.advice
 
 
 def test_commands_that_come_and_go_leave_no_pair_open() -> None:

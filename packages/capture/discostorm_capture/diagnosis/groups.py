@@ -55,7 +55,7 @@ def no_free_participant_index(evidence: Evidence) -> Iterator[Finding]:
     for host, processes in obs.processes_by_host(running).items():
         found = ports.get(host, set())
         # A refused port shows that others searched for processes there.
-        if len(refused & found) >= LIMITS.min_unanswered and len(processes) >= len(found):
+        if len(refused & found) >= LIMITS.min_unanswered and len(processes) >= len(found) - 1:
             counts = len(processes), len(found), min(found), max(found)
             yield Finding.of("no free index", (host,), *counts)
 

@@ -219,7 +219,8 @@ def different_settings(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     secured = np.append(obs.processes["secured"].to_numpy(bool), False)
     mixed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
-    mixed &= secured[obs.sender_index] != secured[obs.receiver_index]
+    # Those without it keep asking those with it, which answer by announcements alone.
+    mixed &= secured[obs.sender_index] & ~secured[obs.receiver_index] & ~obs.isin("kind", "SPDP")
     kinds = {"static": "static discovery", "half": "half", "secured": "different security"}
     for scope, (setting, kind) in product(evidence.scopes, kinds.items()):
         given = obs.processes.iloc[[*scope.members]]
@@ -353,6 +354,18 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
             text += f" ({join_names(seen)})" if seen else ""
             if apart := present & obs.server_hosts:
                 text += f", not counting {join_names(sorted(apart))}, which seems to be a server"
+            there = {*obs.network_events["sender"].astype(str)}
+            often = [(*of, len(times)) for of, times in obs.unanswered_arp.items() if of[0] in seen]
+            sought = [
+                of[:2] for of in often if of[1] not in there and of[2] >= LIMITS.min_unanswered
+            ]
+            if sought:
+                text += say("seeks nobody", [f"{by} for {of}" for by, of in sought])
+                if mute := obs.subnet_neighbors(sought[0][0], sorted(there - present)):
+                    text += say("mute", mute)
+                callers = tuple(dict.fromkeys(by for by, _ in sought))
+                yield Finding("too few hosts, wrong address", callers, text)
+                return
             yield Finding("too few hosts", (), text)
     elif absent := tuple(host for host in expected or () if host not in present):
         routers = {*obs.hosts_of(obs.servers)} - {obs.vantage_host}
@@ -372,24 +385,8 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
         kind = "missing" if len(silent) < len(absent) else "missing, but on"
         if present and not any(":" in of or obs.subnet_neighbors(of, present) for of in absent):
             kind = "missing, other subnet"
-        pairs = obs.links_of(obs.events("exchange", "connection"))
-        reached = [b for a, b in pairs if {a} == present and obs.subnet_neighbors(a, [b])]
-        if (
-            len(absent) > 1
-            and not silent
-            and {(a, b) for a in present for b in absent} <= {*obs.unanswered_arp}
-            and reached
-        ):
-            kind = "missing, isolated"
-            text += say("reaches", sorted(present), sorted({*reached}))
-        others = [host for host in present if not obs.subnet_neighbors(host, [*absent])]
-        if (
-            kind == "missing, but on"
-            and len(silent) == len(others) == 1
-            and all({*silent} & {*pair} for pair in pairs)
-        ):
-            kind = "missing, other interface"
-            text += say("other address", *silent, *others)
+        if found := _seen_by_recorder(obs, present, absent, silent):
+            kind, text = found[0], text + found[1]
         own = obs.network_events.groupby("sender", observed=True)["time"].min()[silent].min()
         late = obs.time.min(initial=np.inf) + LIMITS.min_wait < own < obs.end - LIMITS.timeout
         if kind == "missing, but on" and late:
@@ -401,6 +398,26 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
             text += f"; DNS replied to {join_names(replies)} that a name does not exist"
             kind = "missing, unknown name"
         yield Finding("missing, wrong address" if asks else kind, absent, text)
+
+
+def _seen_by_recorder(
+    obs: Observations, present: set[str], absent: tuple[str, ...], silent: list[str]
+) -> tuple[str, str] | None:
+    """Return a kind and a clause if the unicast of the recording host shows why hosts are missing.
+
+    ``present`` hosts announced something, ``absent`` ones nothing, and of these the ``silent`` ones
+    sent other packets.
+    """
+    pairs = obs.links_of(obs.events("exchange", "connection"))
+    reached = {b for a, b in pairs if {a} == present and obs.subnet_neighbors(a, [b])}
+    in_vain = {(a, b) for a in present for b in absent} <= {*obs.unanswered_arp}
+    if len(absent) > 1 and not silent and in_vain and reached:
+        return "missing, isolated", say("reaches", sorted(present), sorted(reached))
+    others = [host for host in sorted(present) if not obs.subnet_neighbors(host, absent)]
+    alone = len(absent) == len(silent) == len(others) == 1
+    if alone and pairs and all(absent[0] in pair for pair in pairs):
+        return "missing, other interface", say("other address", *absent, *others)
+    return None
 
 
 def _format_mac(number: int) -> str:

@@ -66,9 +66,11 @@ def _was_off(obs: Observations, host: str, stop: float, start: float) -> Finding
     answers = [row[4] for row in obs.event_tuples("unreachable", "refused") if row[2] == host]
     asks = [row[4] for row in obs.event_tuples("ARP request", "ARP reply") if row[1] == host]
     by_it = obs.time[obs.isin("sender", host)].tolist()
-    back = min(time for time in (*answers, *asks, *by_it, start) if time > stop)
+    # It may answer for a moment while it goes down.
+    down = stop + LIMITS.late_delivery
+    back = min([time for time in (*answers, *asks, *by_it) if time > down], default=start)
     sent = obs.time[obs.isin("receiver", host)]
-    vain = int(((sent > stop + LIMITS.late_delivery) & (sent < back)).sum())
+    vain = int(((sent > down) & (sent < back)).sum())
     if vain < LIMITS.min_messages or back - stop < LIMITS.timeout:
         return None
     return Finding.of("host restarted", (host,), stop, back, vain)
@@ -319,6 +321,10 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     servers = evidence.obs.hosts_of(
         sorted(evidence.obs.servers & {*np.flatnonzero(evidence.obs.is_rtps)})
     )
-    if kind == "forgotten" and servers and {*hosts} >= {*evidence.obs.process_host}:
+    # A host that recorded, and never paused for as long as its lease, did not time out.
+    obs, own = evidence.obs, evidence.obs.vantage_host
+    spoke = np.diff(obs.time[obs.isin("sender", str(own))]).max(initial=0.0) < leases.min()
+    alone = own and spoke and {*hosts} == {own, *servers}
+    if kind == "forgotten" and servers and (alone or {*hosts} >= {*obs.process_host}):
         kind, hosts = "server restarted", servers
     yield Finding(kind, hosts, text)

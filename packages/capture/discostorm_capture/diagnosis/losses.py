@@ -137,6 +137,11 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("weak link", weak, text)
             return
         kind = "channel loss" if many and alike and not heavy else kind
+    obs, span = evidence.obs, max(np.ptp(when), LIMITS.timeout)
+    meanwhile = (obs.time >= when.min()) & (obs.time <= when.max()) & (obs["user"] == 0)
+    own = float(obs["airtime_s"][meanwhile].sum()) / span
+    if kind in ("loss", "heavy loss", "channel loss") and own >= LIMITS.max_channel_use:
+        kind, text = "discovery fills channel", say("discovery airtime", wording.percent(own), text)
     loss = Finding(kind, (), text)
     broken = len(evidence.obs.events("incomplete")) >= LIMITS.min_repeats
     crowded = _crowded_link(evidence.obs, text)

@@ -41,10 +41,11 @@ class Observations:
     def __post_init__(self) -> None:
         processes, hosts = self.processes, set(self.messages["sender"].astype(str).unique())
         #: The only host whose unicast was captured, if any. Hosts without a process count, too.
-        self.vantage_host = vantage_host(self.messages, hosts, self.server_hosts)
+        self.vantage_host = vantage_host(self.messages, processes, hosts, self.server_hosts)
         calls = self.links_of(self.events("connection", "half", "refused", "unanswered"))
         calls |= {pair for pair in self.links_of(self.events("other traffic")) if {*pair} <= hosts}
-        if any(self.vantage_host not in pair for pair in calls):
+        main = main_addresses(processes)
+        if any(self.vantage_host not in {main.get(end, end) for end in pair} for pair in calls):
             self.vantage_host = None
         #: For each message: time [s], sequence number, and the index of the sending and of the
         #: receiving process, -1 if unknown.
@@ -211,10 +212,14 @@ class Observations:
         return [one for one, subnet in zip(others, subnets, strict=True) if subnet == own >= 0]
 
 
-def vantage_host(messages: DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
+def vantage_host(
+    messages: DataFrame, processes: DataFrame, hosts: Set[str], server_hosts: Set[str]
+) -> str | None:
     """Return the only host whose unicast was captured, if there are at least three hosts."""
     unicast = messages.loc[~messages["multicast"].to_numpy(bool), ["sender", "receiver"]]
-    counts = Counter(unicast.astype(str).itertuples(index=False, name=None))
+    main = main_addresses(processes)
+    ends = unicast.astype(str).map(lambda end: main.get(end, end))
+    counts = Counter(ends.itertuples(index=False, name=None))
     # A switch that learns where a host is floods some frames to all ports, without the answers.
     few = LIMITS.max_flooded_share * len(unicast)
     pairs = [pair for pair, count in counts.items() if pair[::-1] in counts or count >= few]
@@ -223,6 +228,16 @@ def vantage_host(messages: DataFrame, hosts: Set[str], server_hosts: Set[str]) -
     # Servers do not count: all clients talk only to them.
     common = set.intersection(*map(set, pairs)) & hosts - server_hosts
     return common.pop() if len(common) == 1 else None
+
+
+def main_addresses(processes: DataFrame) -> dict[str, str]:
+    """Return the address from which a host sends, by those of other networks that it announces.
+
+    A host may get packets at several addresses, such as that of its VPN.
+    """
+    known = zip(processes["host"].astype(str), processes["announces"].astype(str), strict=True)
+    pairs = [(one, host) for host, text in known for one in text.split()]
+    return {one: to for one, to in pairs if one.rpartition(".")[0] != to.rpartition(".")[0]}
 
 
 def merge_addresses(messages: DataFrame, *tables: DataFrame) -> None:

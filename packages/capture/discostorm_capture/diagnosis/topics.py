@@ -344,7 +344,10 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
         only = only[~only["topic"].str.startswith("rr/")]  # the requests stand for the service
         ends = only.drop_duplicates(["topic", "type"])
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
-            if len(both) == 2 and {*both["writer"]} == {True, False}:
+            # A program without a namespace may be meant for several robots that have one.
+            rows_of = [both[both["writer"].eq(way)] for way in (True, False)]
+            plain = any(len(of) == 1 and of["topic"].iloc[0].count("/") == 1 for of in rows_of)
+            if min(map(len, rows_of)) and (len(both) == 2 or plain):
                 is_service = both["topic"].iloc[0].startswith("rq/")
                 sides = ("server", "client") if is_service else ("subscriber", "publisher")
                 named = zip(both["topic"].map(ros_topic), both["writer"], both["host"], strict=True)
