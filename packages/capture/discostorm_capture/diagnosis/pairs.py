@@ -261,13 +261,15 @@ def _observable_pairs(obs: Observations, members: tuple[int, ...]) -> Iterator[t
 
 
 def answered_samples(obs: Observations) -> Iterator[Exchange]:
-    """Yield the samples and answers of each writer and each process that answers it."""
+    """Yield the samples and answers of each writer and each process of another host."""
     sender, receiver = obs.sender_index, obs.receiver_index
     sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.seq > 0) & (sender >= 0)
     sent_by = obs.rows_by(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
     answers = obs.isin("submessage", "ACKNACK") & (sender >= 0) & (receiver >= 0)
     keys = (receiver, obs["writer"], sender)
     for (subject, writer, observer), asks in obs.rows_by(answers, *keys).items():
+        if obs.process_host[subject] == obs.process_host[observer]:
+            continue  # between two addresses of one host
         rows = sent_by.get((subject, writer), asks[:0])
         yield subject, observer, rows[np.isin(receiver[rows], (observer, -1))], asks
 

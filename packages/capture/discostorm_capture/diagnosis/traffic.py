@@ -299,8 +299,8 @@ def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
     pairs: dict[tuple[str, ...], int] = {}
     for key, rows in obs.rows_by(asks, obs.receiver_index, obs["writer"], obs.sender_index).items():
         many = len(rows) >= LIMITS.min_calls and np.ptp(obs.time[rows]) >= LIMITS.min_wait
-        if many and key[:2] not in sent:
-            ends = obs.hosts_of((key[0], key[2]))
+        ends = obs.hosts_of((key[0], key[2]))
+        if many and key[:2] not in sent and len(ends) == 2:
             pairs[ends] = pairs.get(ends, 0) + len(rows)
     if pairs and not obs.recording.gaps:
         asked = [f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()]
