@@ -11,6 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 from support import check_first_sentence
 
@@ -1140,6 +1141,14 @@ def test_a_computer_that_answers_once_more_while_it_goes_down_restarted() -> Non
     first = diagnosis("computer_reboots").findings[0]
     assert (first.kind, first.hosts) == ("host restarted", ("10.77.0.2",))
     assert "look at its power" in first.advice
+
+
+def test_dds_may_stay_on_a_host_that_has_a_bridge() -> None:
+    capture = ds.read_capture(STAGED / "localhost_only_any.pcap.xz")
+    bridge = capture._processes.iloc[:1].rename(index=lambda name: f"{name}00")
+    bridge = bridge.assign(protocol="Zenoh", product="Zenoh client", host="10.77.0.2")
+    both = replace(capture, _processes=pd.concat([capture._processes, bridge]))
+    assert not {one.kind for one in both.diagnosis().findings} & {"loopback only", "router alone"}
 
 
 def test_commands_that_come_and_go_leave_no_pair_open() -> None:

@@ -124,7 +124,8 @@ def loopback_only(evidence: Evidence) -> Iterator[Finding]:
     kinds = {"loopback only": obs.is_rtps, "router alone": ~obs.is_rtps & obs.is_server}
     for kind, chosen in kinds.items():
         count = int((local & chosen).sum())
-        if count and len(common) == 1 and not common & {*obs.process_host[chosen & ~local]}:
+        # DDS may stay on a host whose bridge speaks Zenoh with the others.
+        if count and len(common) == 1 and not common & {*obs.process_host[~local]}:
             yield Finding.of(kind, sorted(common), count)
 
 
