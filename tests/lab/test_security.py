@@ -181,8 +181,8 @@ def test_the_command_says_that_endpoints_are_encrypted(tmp_path: Path) -> None:
 def test_a_host_without_security_is_named() -> None:
     diagnosis = ds.read_capture(STORED / "cyclone_dds_off_on_one.pcap.xz").diagnosis()
     first, *others = diagnosis.findings
-    assert first.kind == "not authenticated"
-    assert "10.77.0.3 and 10.77.0.1; 10.77.0.3 and 10.77.0.2" in first.evidence
+    assert (first.kind, first.hosts) == ("different security", ("10.77.0.3",))
+    assert "enabled on 10.77.0.1 and 10.77.0.2 and disabled on 10.77.0.3" in first.evidence
     assert [finding.kind for finding in others] == ["encrypted"]
     assert set(diagnosis.incomplete()["by"]) == {"10.77.0.3"}
 
