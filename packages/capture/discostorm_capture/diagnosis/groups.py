@@ -46,9 +46,7 @@ def refused_announcements(evidence: Evidence) -> Iterator[Finding]:
 
 def no_free_participant_index(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with as many processes as ports at which Cyclone DDS searches for them."""
-    obs, ports = evidence.obs, dict[str, set[int]]()
-    for _, _, host, port, _ in obs.event_tuples("asked"):
-        ports.setdefault(host, set()).update([port] * (port % 2 == 0))  # odd ones are for user data
+    obs, ports = evidence.obs, _searched_ports(evidence.obs)
     refused = {row[3] for row in obs.event_tuples("unreachable")}
     cyclone = np.flatnonzero(obs.processes["product"].eq("Cyclone DDS"))
     running = [one for one in cyclone.tolist() if not evidence.endings[one]]
@@ -62,11 +60,9 @@ def no_free_participant_index(evidence: Evidence) -> Iterator[Finding]:
 
 def initial_peers_end_too_early(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with more processes than ports at which Fast DDS searches for its peers."""
-    obs, ports = evidence.obs, dict[str, set[int]]()
+    obs, ports = evidence.obs, _searched_ports(evidence.obs)
     if (obs.isin("kind", "SPDP") & obs["multicast"]).any():
         return
-    for _, _, host, port, _ in obs.event_tuples("asked"):
-        ports.setdefault(host, set()).update([port] * (port % 2 == 0))
     fast = np.flatnonzero(obs.processes["product"].eq("Fast DDS")).tolist()
     counts = {host: len(of) for host, of in obs.processes_by_host(fast).items()}
     # A host with few processes is called at all ports of the search, and answers at some.
@@ -76,6 +72,14 @@ def initial_peers_end_too_early(evidence: Evidence) -> Iterator[Finding]:
     if many and len(most) >= LIMITS.port_search:
         text = [f"{count} processes on {host}" for host, count in many.items()]
         yield Finding.of("too few peer ports", [*many], text, min(most), max(most))
+
+
+def _searched_ports(obs: Observations) -> dict[str, set[int]]:
+    """Return the ports at which others search for processes, by host."""
+    ports: dict[str, set[int]] = {}
+    for _, _, host, port, _ in obs.event_tuples("asked"):
+        ports.setdefault(host, set()).update([port] * (port % 2 == 0))  # odd ones are for user data
+    return ports
 
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:

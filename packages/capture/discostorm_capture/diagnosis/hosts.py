@@ -404,11 +404,7 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
 def _seen_by_recorder(
     obs: Observations, present: set[str], absent: tuple[str, ...], silent: list[str]
 ) -> tuple[str, str] | None:
-    """Return a kind and a clause if the unicast of the recording host shows why hosts are missing.
-
-    ``present`` hosts announced something, ``absent`` ones nothing, and of these the ``silent`` ones
-    sent other packets.
-    """
+    """Return a kind and a clause if the recording host's unicast shows why hosts are missing."""
     pairs = obs.links_of(obs.events("exchange", "connection"))
     reached = {b for a, b in pairs if {a} == present and obs.subnet_neighbors(a, [b])}
     in_vain = {(a, b) for a in present for b in absent} <= {*obs.unanswered_arp}

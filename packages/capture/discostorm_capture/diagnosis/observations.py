@@ -217,9 +217,10 @@ def vantage_host(
 ) -> str | None:
     """Return the only host whose unicast was captured, if there are at least three hosts."""
     unicast = messages.loc[~messages["multicast"].to_numpy(bool), ["sender", "receiver"]]
-    main = main_addresses(processes)
-    ends = unicast.astype(str).map(lambda end: main.get(end, end))
-    counts = Counter(ends.itertuples(index=False, name=None))
+    main, counts = main_addresses(processes), Counter[tuple[str, ...]]()
+    sizes: dict[Any, int] = unicast.groupby([*unicast], observed=True).size().to_dict()
+    for ends, count in sizes.items():
+        counts[tuple(main.get(end, end) for end in ends)] += count
     # A switch that learns where a host is floods some frames to all ports, without the answers.
     few = LIMITS.max_flooded_share * len(unicast)
     pairs = [pair for pair, count in counts.items() if pair[::-1] in counts or count >= few]
@@ -231,10 +232,7 @@ def vantage_host(
 
 
 def main_addresses(processes: DataFrame) -> dict[str, str]:
-    """Return the address from which a host sends, by those of other networks that it announces.
-
-    A host may get packets at several addresses, such as that of its VPN.
-    """
+    """Return the address from which a host sends, by those that it announces, as for a VPN."""
     known = zip(processes["host"].astype(str), processes["announces"].astype(str), strict=True)
     pairs = [(one, host) for host, text in known for one in text.split()]
     return {one: to for one, to in pairs if one.rpartition(".")[0] != to.rpartition(".")[0]}
