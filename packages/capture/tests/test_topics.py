@@ -232,7 +232,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         ),
         (
             "bridge_beside_rmw_zenoh",
-            "10.77.0.3 gets no data, because it does not use rmw_zenoh (but zenoh-bridge-ros2dds",
+            "10.77.0.3 gets no data, because it does not use rmw_zenoh, unlike the other hosts, so",
             "Set the same RMW_IMPLEMENTATION on all hosts",
         ),
         (
