@@ -34,6 +34,26 @@ def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
             yield from _no_answers(evidence.obs, scope, reach)
 
 
+def multicast_ends(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts whose announcements by multicast end, though one of them goes on by unicast."""
+    obs, ended, goes_on = evidence.obs, dict[str, float](), list[str]()
+    calls = obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]
+    for host in {*obs.host_first_last} - {obs.vantage_host}:
+        by_it = obs.isin("sender", host)
+        times, spoke = (np.unique(obs.time[of]) for of in (calls & by_it, by_it))
+        pause = LIMITS.min_pause_ratio * np.diff(times).max(initial=0.0)
+        if len(times) >= LIMITS.min_calls and times[-1] + pause < obs.end:
+            ended[host] = float(times[-1])
+            # While a host is away, it does not announce itself either.
+            later = spoke[spoke >= times[-1]]
+            if np.ptp(later) - np.diff(later).max(initial=0.0) > pause:
+                goes_on.append(host)
+    hosts = {*obs.messages["sender"][calls].astype(str)} - {str(obs.vantage_host)}
+    if goes_on and len(hosts) > 1 and hosts == {*ended}:
+        at = max(ended.values()), sorted(goes_on)
+        yield Finding.of("multicast ends", sorted(ended), *at)
+
+
 def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts where only some processes confirm unicast, or where a server's clients do not."""
     obs = evidence.obs
@@ -250,14 +270,41 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
             text = f"{hosts[index]} answered {answered}, but never got an answer back"
         yield Finding("one direction", (hosts[index],), text)
         deaf[:, index] = False
+    yield from _groups_without_multicast(obs, reach, deaf)
     yield from _single_pair_findings(reach, deaf, "never answered")
+
+
+def _groups_without_multicast(
+    obs: Observations, reach: Reachability, deaf: Array
+) -> Iterator[Finding]:
+    """Yield two groups of hosts between which only unicast passes; take these pairs out."""
+    hosts = np.array(reach.hosts, object)
+    group = ~deaf[0]
+    apart = group[:, None] != group
+    if (deaf != apart & reach.observable).any() or min(group.sum(), (~group).sum()) < 2:
+        return
+    links = obs.links_of(obs.events("other traffic", "connection"))
+    both = sorted(pair for pair in links if pair[::-1] in links and {*pair} <= {*reach.hosts})
+    across = [
+        pair
+        for pair in both
+        if group[reach.hosts.index(pair[0])] != group[reach.hosts.index(pair[1])]
+    ]
+    if across:
+        groups = "; ".join(join_names(hosts[of]) for of in (group, ~group))
+        yield Finding(
+            "multicast filtered", tuple(hosts[group]), say("multicast in groups", groups, across[0])
+        )
+        deaf[:] = False
 
 
 def _other_subnet(hosts: tuple[str, ...], text: str) -> Finding:
     """Return a finding about hosts in another subnet, or in the default network of Docker."""
     # The first address of that network is the one of the host.
     inside = all(ip_address(host) in DOCKER_NETWORK and not host.endswith(".0.1") for host in hosts)
-    return Finding("container network" if inside else "other subnet", hosts, text)
+    bridge = all(ip_address(host) in DOCKER_NETWORK and host.endswith(".0.1") for host in hosts)
+    kind = "container network" if inside else "Docker interface" if bridge else "other subnet"
+    return Finding(kind, hosts, text)
 
 
 def _single_pair_findings(reach: Reachability, matrix: Array, what: str) -> Iterator[Finding]:

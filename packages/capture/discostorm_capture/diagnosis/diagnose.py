@@ -253,14 +253,14 @@ def diagnose(obs: Observations) -> Diagnosis:
         causes = list(unexplained_pairs(evidence, "incomplete"))
     others = _unreplaced(run_rules("other", evidence), [*causes, *events])
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
-    findings = _unreplaced([*causes, *lossy, *others], others)
+    findings = _unreplaced([*causes, *lossy, *others], [*lossy, *others])
     absent = {host for one in findings if one.role == "missing" for host in one.hosts}
     findings.sort(key=lambda one: [*finding_kinds()].index(one.kind))
     # First what is wrong with the missing hosts, such as a server that was not started there.
     findings.sort(key=lambda one: one.role == "missing" or not {*one.hosts} & absent)
     wrong = [one for one in findings if one.about == "fleet"]
     limits += [one for one in findings if one.about == "capture"]
-    limits += topics.unknown_qos(evidence)
+    limits = [*_unreplaced(limits, wrong), *topics.unknown_qos(evidence)]
     happened = _unreplaced([*events, *others, *lossy], [*wrong, *events, *limits])
     happened = [one for one in happened if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]

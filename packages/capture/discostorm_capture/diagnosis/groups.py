@@ -131,7 +131,8 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
     for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
         to_it = obs.receiver_index == peer
         others, declared = obs.senders(to_it), (to_it & declares).any()
-        seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= LIMITS.timeout
+        lasts = obs.recording.recorded_time - obs.first_last[0][peer] >= LIMITS.timeout
+        seen = (to_it & opened).any() and lasts
         if seen and others <= obs.servers and not declared:
             (host,), routers = obs.hosts_of([peer]), obs.hosts_of(others)
             idle[host] = Finding.of("peer at a router", (host,), routers)

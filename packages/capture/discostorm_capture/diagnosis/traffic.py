@@ -107,7 +107,8 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
 def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     """Yield servers and routers that do not answer, or that refuse."""
     obs = evidence.obs
-    findings = [*_unresponsive_dds_servers(obs), *_unresponsive_routers(obs)]
+    findings = [*_unresponsive_dds_servers(obs), *_other_server_numbers(obs)]
+    findings += _unresponsive_routers(obs)
     reported = {host for one in findings for host in one.hosts} | {*obs.host_first_last}
     refused, heard = obs.event_tuples("unreachable"), obs.host_first_last
     # Ports below 1024 belong to other programs, such as syslog (RFC 6335).
@@ -158,7 +159,6 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         tried = {port for caller, _, port in asked if caller in failed}
         answers = {port for caller, _, port in asked if caller in served}
         free = sorted({*obs.hosts_of(searching)} - {*failed})
-        meant = obs.receiver_index[calls & obs.isin("sender", *failed) & obs.isin("receiver", host)]
         if answers and tried - answers:
             ports = sorted(tried - answers), f"{asks} {text}", sorted(answers)
             yield Finding.of("wrong port", failed, host, *ports)
@@ -173,10 +173,24 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
             if arp and not refused and np.isinf(last):  # without a process, it would send ICMP
                 kind, spoke = "server blocked", say("on by ARP", arp)
             yield Finding(kind, (host,), f"{asks} to {to} {text}; {spoke}")
-        elif not (obs.process_host[meant[meant >= 0]] == host).any():
-            yield Finding.of("server number", failed, host, served, count)
         elif not (heard & obs.isin("sender", *failed)).any():
             yield Finding.of("unserved", failed, host, f"{count} times", served)
+
+
+def _other_server_numbers(obs: Observations) -> Iterator[Finding]:
+    """Yield clients that ask a Discovery Server only for a number that it does not have."""
+    asks = obs.isin("kind", "SPDP Heartbeat", "SPDP ACKNACK") & ~obs["multicast"]
+    asks &= np.isin(obs.sender_index, [*server_clients(obs)])
+    serves = obs.links_of(obs.messages[np.isin(obs.sender_index, [*obs.servers])])
+    hosts = {host for host, _ in serves}
+    for caller, host in sorted(obs.links_of(obs.messages[asks])):
+        to_it = asks & obs.isin("sender", caller) & obs.isin("receiver", host)
+        if (
+            host in hosts
+            and to_it.sum() >= LIMITS.min_messages
+            and (obs.receiver_index[to_it] < 0).all()
+        ):
+            yield Finding.of("server number", (caller,), host, to_it.sum())
 
 
 def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
@@ -230,7 +244,12 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             text += "unlike the others, sent no unencrypted Zenoh messages there"
             yield Finding("wrong port", (caller,), text)
         elif port == ZENOH_PORT and obs.messages.empty:
-            without_session.setdefault(host, []).append(f"{count} from {caller} to port {port}")
+            others = {one for one, *at in tries if at == [host, port]}
+            served = sorted(one for one in others if tries[one, host, port] < LIMITS.min_calls)
+            if served:
+                yield Finding.of("TLS client", (caller,), host, count, served)
+            else:
+                without_session.setdefault(host, []).append(f"{count} from {caller} to port {port}")
     for host, texts in closed.items():
         yield Finding.of("no router behind", (host,), texts)
     for host, texts in without_session.items():
@@ -329,7 +348,7 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
     slow = [one for one in losses.frame_loss(evidence) if one.about == "fleet"]
     slow = slow or [*losses.late_deliveries(evidence)]
     slow = [one for one in slow if one.kind not in losses.CROWDED]
-    limit = LIMITS.max_multicast_use if slow else LIMITS.max_channel_use
+    limit = LIMITS.max_multicast_use if slow else 1.0
     kinds = {"stream by multicast": LIMITS.max_multicast_use}
     kinds |= {"stream on a slow link" if slow else "much data": limit}
     for (kind, limit), cast in zip(kinds.items(), (True, False), strict=True):
@@ -338,25 +357,46 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
         if not (rows.any() and (fills or slow)):
             continue
         flows = obs.rows_by(rows, sender.codes.to_numpy(), obs.sender_index, obs["writer"])
-        largest, key = max((seconds[of].sum(), key) for key, of in flows.items())
-        octets = int(obs["bytes"][flows[key]].sum())
+        ranked = sorted(((seconds[of].sum(), key) for key, of in flows.items()), reverse=True)
+        # Robots of a kind send streams of a kind.
+        keys = [key for airtime, key in ranked if 2 * airtime >= ranked[0][0]]
+        together = np.concatenate([flows[key] for key in keys])
+        octets = int(obs["bytes"][together].sum())
         # A link that is slow at times may carry less than the paper's channel.
         slows = slow and not cast and 2 * octets >= obs["bytes"].sum()
         if not (fills or (slows and 8 * octets >= LIMITS.slow_stream_rate * obs.end)):
             continue
-        topic = ends["topic"][ends["index"].eq(key[1]) & ends["entity"].eq(key[2])]
-        topics, host = topic.map(ros_topic), str(sender.categories[key[0]])
-        reads = ends["topic"].isin(topic) & ends["writer"].eq(other=False) & (ends["host"] != host)
-        readers = ends["host"][reads].unique()
-        shares = [wording.percent(one / obs.end) for one in (largest, seconds[rows].sum())]
-        lasts = len(np.unique(obs.time[flows[key]].astype(np.int64)))
-        most = not slow or cast or slows or 2 * largest >= seconds[rows].sum()
-        if lasts >= LIMITS.min_stream_seconds and (host,) not in lossy and most:
+        own = {key[1:] for key in keys}
+        sent = [pair in own for pair in zip(ends["index"], ends["entity"], strict=True)]
+        topic = ends["topic"][np.array(sent, bool)]
+        hosts = tuple(dict.fromkeys(str(sender.categories[key[0]]) for key in keys))
+        reads = ends["topic"].isin(topic) & ends["writer"].eq(other=False)
+        readers = ends["host"][reads & ~ends["host"].isin(hosts)].unique()
+        airtimes = seconds[together].sum(), seconds[rows].sum()
+        shares = [wording.percent(one / obs.end) for one in airtimes]
+        lasts = len(np.unique(obs.time[flows[keys[0]]].astype(np.int64)))
+        most = not slow or cast or slows or 2 * airtimes[0] >= airtimes[1]
+        if lasts >= LIMITS.min_stream_seconds and hosts not in lossy and most:
             signs = [one.evidence for one in slow]
-            named = "".join(topics[:1]) or "the largest stream"
+            named = [*topic.map(ros_topic)] or ["the largest stream"]
             to = f" to {join_names(readers)}" if len(readers) else ""
-            said = say(kind, (host,), named, *shares, to, *signs)
-            yield Finding(kind, (host,), said)
+            yield Finding(kind, hosts, say(kind, hosts, named, *shares, to, *signs))
+
+
+def copies_to_silent_addresses(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that announce addresses which send nothing, if samples are copied to these."""
+    obs = evidence.obs
+    data = obs.isin("kind", *SAMPLE_KINDS) & ~obs["multicast"]
+    spoke = {*obs.host_first_last, *map(str, obs.network_events["sender"].unique())}
+    for host, processes in obs.processes_by_host(range(len(obs.processes))).items():
+        announced = dict.fromkeys(" ".join(obs.processes["announces"].iloc[processes]).split())
+        silent = [one for one in announced if one not in spoke]
+        to_it, rows = (data & obs.isin("receiver", *of) for of in ((host,), silent))
+        copied, all_bytes = (int(obs["bytes"][of].sum()) for of in (rows, data))
+        if to_it.any() and copied >= LIMITS.min_copied_share * all_bytes > 0:
+            senders = obs.messages["sender"][rows].unique()
+            share = wording.percent(copied / all_bytes)
+            yield Finding.of("copies", (host,), silent, senders, rows.sum(), share)
 
 
 def busy_topics(evidence: Evidence) -> Iterator[Finding]:
@@ -433,6 +473,13 @@ def bursts_of_samples(evidence: Evidence) -> Iterator[Finding]:
 def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that lose fragments of large samples, but no small samples."""
     obs = evidence.obs
+    lacking, at = obs.event_tuples("incomplete"), str(obs.vantage_host)
+    whole = obs.messages["frame"][obs.isin("receiver", at) & (obs["frames"] > 1)].nunique()
+    flows = Counter(row[1:3] for row in lacking if row[2] == at)
+    # A capture from the receiver lacks what did not get there.
+    if flows.total() > max(whole, LIMITS.min_messages):
+        pairs = [f"{count:,} from {of} to {to}" for (of, to), count in flows.most_common()]
+        yield Finding("most samples in parts", (at,), say("lack fragments", flows.total(), pairs))
     asks = obs.isin("submessage", "NACK_FRAG") & ~obs["multicast"]
     asked = Counter(obs.messages["sender"][asks].astype(str))
     hosts = sorted(of for of, count in asked.items() if count >= LIMITS.min_fragment_requests)
