@@ -202,3 +202,19 @@ def test_watch_names_the_missing_ones() -> None:
     watch.count_and_diagnose(packets.header)
     assert watch.diagnosis is not None
     assert watch.diagnosis.findings[0].hosts == ("10.77.0.9",)
+
+
+def test_what_other_packets_show_stands_above_the_number_of_missing_hosts() -> None:
+    found = ds.read_capture(
+        Path(__file__).with_name("captures") / "no_multicast_at_one_robot.pcap.xz"
+    ).diagnosis(4)
+    assert [one.kind for one in found.wrong] == ["alone, but connected", "too few hosts"]
+    assert "ros2 multicast receive" in found.wrong[0].advice
+
+
+def test_a_missing_host_of_a_fleet_with_zenoh_is_told_to_look_at_its_router() -> None:
+    hosts = tuple(f"10.77.0.{number}" for number in range(1, 5))
+    seen = ds.read_capture(Path(__file__).with_name("captures") / "router_not_linked.pcap.xz")
+    (found,) = seen.diagnosis(hosts).wrong
+    assert (found.kind, found.hosts) == ("missing, no session", ("10.77.0.4",))
+    assert "names the router of the others in connect/endpoints" in found.advice

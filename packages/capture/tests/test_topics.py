@@ -115,7 +115,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "expired_certificate",
             "connections to the router on 10.77.0.101 end before a session begins",
             "from 10.77.0.1 to port 7447",
-            "check the dates and the name in the certificate",
+            "Check the dates, the name and the issuer of the certificate",
         ),
         (
             "server_crashes_again_and_again",

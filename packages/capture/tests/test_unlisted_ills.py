@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from support import check_first_sentence
+from support import REFERENCE, check_first_sentence
 
 import discostorm as ds
 from discostorm_capture.diagnosis.diagnose import Diagnosis
@@ -61,7 +61,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "number_of_another_server",
             "10.77.0.4 asks for a server number that the server does not have",
-            "to 10.77.0.102 with one server number, but the server that answers 10.77.0.1",
+            "to 10.77.0.102 with one server number, but the server there has a different number",
             "move the server's address within ROS_DISCOVERY_SERVER",
         ),
         (
@@ -253,7 +253,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "one_client_lists_number_1",
             "10.77.0.3 asks for a server number that the server does not have",
-            "with one server number, but the server that answers 10.77.0.1",
+            "with one server number, but the server there has a different number",
             "On 10.77.0.3, move the server's address within ROS_DISCOVERY_SERVER, so that",
         ),
         (
@@ -358,6 +358,49 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "10.77.0.101 is on, but does not answer requests to the server or router there,",
             "3 hosts failed to connect to port 7447 on 10.77.0.101 (9 attempts unanswered)",
             "On 10.77.0.101, check `ufw status` or `nft list ruleset`, and allow the port",
+        ),
+        (
+            "two_servers_with_one_number",  # a client lists the second one as number 1
+            "10.77.0.3 asks for a server number that the server does not have",
+            "10.77.0.3 sent 119 messages to 10.77.0.2 with one server number",
+            "If two servers have the same number, start one with another",
+        ),
+        (
+            "multicast_within_groups",
+            "the network drops multicast",
+            "never from one to the other: 10.77.0.3, 10.77.0.5 and 10.77.0.4; 10.77.0.2 and "
+            "10.77.0.1; unicast passes, such as between 10.77.0.1 and 10.77.0.3",
+            "Make the access point and switches pass multicast",
+        ),
+        (
+            "one_client_distrusts",
+            "connections from 10.77.0.3 to the router end before a session begins, unlike those of",
+            "5 connections to 10.77.0.101, and each ended before a session began; 10.77.0.1 and",
+            "On 10.77.0.3, compare the CA certificate",
+        ),
+        (
+            "multicast_stops_for_all",
+            "multicast from 10.77.0.2, 10.77.0.3 and 10.77.0.4 stopped at the same time",
+            "by multicast until 17.2 s, and no more after that, though 10.77.0.4 still sends",
+            "turn an IGMP querier on",
+        ),
+        (
+            "images_lose_fragments",  # recorded at the receiver
+            "most large samples to 10.77.0.3 are incomplete, because one lost IP fragment",
+            "71 IP datagrams lack fragments: 36 from 10.77.0.2 to 10.77.0.3",
+            "datagrams that fit a frame help, too (maxMessageSize 1400",
+        ),
+        (
+            "laptop_behind_firewall",  # recorded on the laptop
+            "10.77.0.3 hears no other host although packets reach it, most likely because a",
+            "so frames do reach it; the capture was recorded there, so they arrived",
+            "On 10.77.0.3, check `ufw status`",
+        ),
+        (
+            "uses_docker_interface",
+            "172.17.0.1 is the address of Docker's own interface (docker0), so the middleware of",
+            "announced themselves from different subnets",
+            "Tell the middleware on 172.17.0.1 which network interface to use",
         ),
     ],
 )
@@ -900,7 +943,7 @@ def test_hosts_behind_a_repeater_are_healthy() -> None:
             "messages_grow",
             "stream on a slow link",
             "10.77.0.2",
-            "/robot2/trail from 10.77.0.2 to 10.77.0.101 takes",
+            "of the paper's channel is taken by /robot2/trail from 10.77.0.2 to 10.77.0.101",
             "shorten messages that grow",
         ),
     ],
@@ -1198,7 +1241,7 @@ def test_much_data_by_unicast_stands_above_a_healthy_fleet() -> None:
     frames = rows["frames"].where(~rows["kind"].isin(["User data", "Push"]), np.float32(600))
     found = replace(capture, _messages=rows.assign(frames=frames)).diagnosis()
     assert (found.healthy, [one.kind for one in found.findings]) == (True, ["much data"])
-    assert found.summary().startswith("User data takes more than half of the channel, most of it ")
+    assert found.summary().startswith("User data needs more airtime than the paper's channel has, ")
 
 
 def test_two_fleets_of_which_one_keeps_the_default_domain_are_a_fault() -> None:
@@ -1226,3 +1269,51 @@ def test_in_a_fleet_of_routers_the_group_without_a_link_is_named() -> None:
     routers = seen._processes.assign(server=True)
     (found,) = replace(seen, _processes=routers).diagnosis().wrong
     assert found.hosts == ("10.77.0.102", "10.77.0.3")
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "host", "evidence", "action"),
+    [
+        (
+            "copies_to_other_addresses",
+            "copies",
+            "10.77.0.4",
+            "10.77.0.4 also announces 172.17.0.1, 10.8.0.6 and 192.168.50.20; 10.77.0.3, 10.77.0.2 "
+            "and 10.77.0.1 sent 117 messages with samples there (74% of the bytes",
+            "name the interface of the robots' network",
+        ),
+        (
+            "peer_of_a_remote_router",  # nothing is sent for 28 s
+            "peer at a router",
+            "10.77.0.2",
+            "has a session only with 10.77.0.1, which declared nothing to it",
+            "set mode to client on 10.77.0.2",
+        ),
+    ],
+)
+def test_an_event_beside_complete_discovery_is_named(
+    name: str, kind: str, host: str, evidence: str, action: str
+) -> None:
+    found = diagnosis(name)
+    assert (found.healthy, found.findings[0].kind, found.findings[0].hosts) == (True, kind, (host,))
+    assert evidence in found.findings[0].evidence
+    assert action in found.findings[0].advice
+
+
+def test_a_short_capture_does_not_show_that_announcements_end() -> None:
+    kinds = {one.kind for one in diagnosis("images_lose_fragments").findings}  # of 3.4 s
+    assert "multicast ends" not in kinds
+
+
+def test_an_outage_of_the_access_point_does_not_end_announcements() -> None:
+    assert diagnosis("access_point_restarts").findings[0].kind == "network outage"
+
+
+def test_without_an_arp_reply_the_network_may_be_what_delivers_nothing() -> None:
+    seen = ds.read_capture(
+        REFERENCE / "captures/ills/firewall_on_one_host-cyclone_dds_0_10.pcap.xz"
+    )
+    events = seen._network_events[~seen._network_events["kind"].isin(["ARP reply"])]
+    (found,) = replace(seen, _network_events=events).diagnosis().wrong
+    assert (found.kind, found.hosts) == ("firewall or network", ("10.77.0.2",))
+    assert "or the network delivers none to it" in found.summary

@@ -37,11 +37,11 @@ def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
 def multicast_ends(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts whose announcements by multicast end, though one of them goes on by unicast."""
     obs, ended, goes_on = evidence.obs, dict[str, float](), list[str]()
-    calls = obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]
+    calls = obs.isin("kind", "SPDP") & obs["multicast"]
     for host in {*obs.host_first_last} - {obs.vantage_host}:
         by_it = obs.isin("sender", host)
         times, spoke = (np.unique(obs.time[of]) for of in (calls & by_it, by_it))
-        pause = LIMITS.min_pause_ratio * np.diff(times).max(initial=0.0)
+        pause = max(LIMITS.max_pause, LIMITS.min_pause_ratio * np.diff(times).max(initial=0.0))
         if len(times) >= LIMITS.min_calls and times[-1] + pause < obs.end:
             ended[host] = float(times[-1])
             # While a host is away, it does not announce itself either.
@@ -260,9 +260,12 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
             yield _other_subnet((hosts[index],), text)
             deaf[index, :] = False
             continue
+        arrives = _describe_arp_replies(obs, hosts[index])
+        arrives += say("arrives") * (obs.vantage_host == hosts[index])
         text = f"announces itself{f', and others sent it {sent} messages' if sent else ''}"
-        text += f", but it never answered any{_describe_arp_replies(obs, hosts[index])}"
-        yield Finding("firewall", (hosts[index],), f"{hosts[index]} {text}")
+        text += f", but it never answered any{arrives}"
+        kind = "firewall" if arrives else "firewall or network"
+        yield Finding(kind, (hosts[index],), f"{hosts[index]} {text}")
         deaf[index, :] = False
     for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
         text = f"none ever answered {hosts[index]}"

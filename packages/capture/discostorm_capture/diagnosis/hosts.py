@@ -383,14 +383,15 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
         vain = [pair for pair in obs.unanswered_arp if pair[0] in silent and pair[1] not in there]
         if asks := [f"{by} asked for {of}" for by, of in vain]:
             text += f"; {join_names(asks)} by ARP, and got no answer"
-        kind = "missing" if len(silent) < len(absent) else "missing, but on"
+        on = "missing, but on" if obs.is_rtps.any() or not present else "missing, no session"
+        kind = "missing" if len(silent) < len(absent) else on
         if present and not any(":" in of or obs.subnet_neighbors(of, present) for of in absent):
             kind = "missing, other subnet"
         if found := _seen_by_recorder(obs, present, absent, silent):
             kind, text = found[0], text + found[1]
         own = obs.network_events.groupby("sender", observed=True)["time"].min()[silent].min()
         late = obs.time.min(initial=np.inf) + LIMITS.min_wait < own < obs.end - LIMITS.timeout
-        if kind == "missing, but on" and late:
+        if kind == on and late:
             text += f", but it sent its first packet only at {own:.1f} s"
             kind = "missing, late network"
         names = Counter(row[2] for row in obs.event_tuples("unknown name") if row[2] in silent)

@@ -383,20 +383,21 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
             yield Finding(kind, hosts, say(kind, hosts, named, *shares, to, *signs))
 
 
-def copies_to_silent_addresses(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that announce addresses which send nothing, if samples are copied to these."""
+def copies_to_other_addresses(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that announce several addresses, if many samples are copied to them."""
     obs = evidence.obs
     data = obs.isin("kind", *SAMPLE_KINDS) & ~obs["multicast"]
-    spoke = {*obs.host_first_last, *map(str, obs.network_events["sender"].unique())}
+    all_bytes = int(obs["bytes"][data].sum())
     for host, processes in obs.processes_by_host(range(len(obs.processes))).items():
         announced = dict.fromkeys(" ".join(obs.processes["announces"].iloc[processes]).split())
-        silent = [one for one in announced if one not in spoke]
-        to_it, rows = (data & obs.isin("receiver", *of) for of in ((host,), silent))
-        copied, all_bytes = (int(obs["bytes"][of].sum()) for of in (rows, data))
-        if to_it.any() and copied >= LIMITS.min_copied_share * all_bytes > 0:
+        others = [one for one in announced if one != host]
+        rows = data & obs.isin("receiver", *others)
+        octets, own = int(obs["bytes"][rows].sum()), data & obs.isin("receiver", host)
+        fast = 8 * octets >= LIMITS.slow_stream_rate * max(obs.end, LIMITS.timeout)
+        if fast and octets >= LIMITS.min_copied_share * all_bytes and own.any():
             senders = obs.messages["sender"][rows].unique()
-            share = wording.percent(copied / all_bytes)
-            yield Finding.of("copies", (host,), silent, senders, rows.sum(), share)
+            share = wording.percent(octets / all_bytes)
+            yield Finding.of("copies", (host,), others, senders, rows.sum(), share)
 
 
 def busy_topics(evidence: Evidence) -> Iterator[Finding]:
