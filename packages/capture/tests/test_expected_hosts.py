@@ -218,3 +218,11 @@ def test_a_missing_host_of_a_fleet_with_zenoh_is_told_to_look_at_its_router() ->
     (found,) = seen.diagnosis(hosts).wrong
     assert (found.kind, found.hosts) == ("missing, no session", ("10.77.0.4",))
     assert "names the router of the others in connect/endpoints" in found.advice
+
+
+def test_several_hosts_whose_multicast_never_arrives_are_told_of_it() -> None:
+    hosts = tuple(f"10.77.0.{number}" for number in range(1, 5))
+    path = Path(__file__).with_name("captures") / "no_multicast_from_others.pcap.xz"
+    (found,) = ds.read_capture(path).diagnosis(hosts).wrong
+    assert (found.kind, found.hosts) == ("missing, no multicast", hosts[2:])
+    assert "ros2 multicast receive" in found.advice

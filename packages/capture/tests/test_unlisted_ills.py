@@ -284,7 +284,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "server_number",
             "10.77.0.101 is on, but neither answers nor refuses requests to the server there",
             "369 messages from 3 hosts to port 11811 on 10.77.0.101 got no answer",
-            "its number (`fastdds discovery -i`) does not match its position",
+            "the server's number (`fastdds discovery -i`) equals its position",
         ),
         (
             "no_password",
@@ -366,13 +366,6 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "If two servers have the same number, start one with another",
         ),
         (
-            "multicast_within_groups",
-            "the network drops multicast",
-            "never from one to the other: 10.77.0.3, 10.77.0.5 and 10.77.0.4; 10.77.0.2 and "
-            "10.77.0.1; unicast passes, such as between 10.77.0.1 and 10.77.0.3",
-            "Make the access point and switches pass multicast",
-        ),
-        (
             "one_client_distrusts",
             "connections from 10.77.0.3 to the router end before a session begins, unlike those of",
             "5 connections to 10.77.0.101, and each ended before a session began; 10.77.0.1 and",
@@ -385,12 +378,6 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "turn an IGMP querier on",
         ),
         (
-            "images_lose_fragments",  # recorded at the receiver
-            "most large samples to 10.77.0.3 are incomplete, because one lost IP fragment",
-            "71 IP datagrams lack fragments: 36 from 10.77.0.2 to 10.77.0.3",
-            "datagrams that fit a frame help, too (maxMessageSize 1400",
-        ),
-        (
             "laptop_behind_firewall",  # recorded on the laptop
             "10.77.0.3 hears no other host although packets reach it, most likely because a",
             "so frames do reach it; the capture was recorded there, so they arrived",
@@ -400,7 +387,19 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "uses_docker_interface",
             "172.17.0.1 is the address of Docker's own interface (docker0), so the middleware of",
             "announced themselves from different subnets",
-            "Tell the middleware on 172.17.0.1 which network interface to use",
+            "On 172.17.0.1, name the interface of the robots' network",
+        ),
+        (
+            "same_id_again",
+            "a process on 10.77.0.2 restarted with the ID that it had before, so other hosts",
+            "2 writers began to number their samples from 1 again at 20.0 s",
+            "remove the copied `id` from the Zenoh configuration, or the copied `prefix`",
+        ),
+        (
+            "topics_without_prefix",
+            "10.77.0.4 uses topic names without the prefix of ROS 2, so nodes of ROS 2 do not",
+            "10.77.0.4 announces fix and gnss/corrections, while 10.77.0.1, 10.77.0.2 and",
+            "use the names of ROS 2: the topic `rt/` followed by the name",
         ),
     ],
 )
@@ -658,10 +657,16 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
     ("name", "state", "cause", "action"),
     [
         (
-            "small_socket_buffer",
-            "complete, but not healthy: 10.77.0.2 loses parts of large samples, but no small",
-            "10.77.0.2 (6 times) requested parts of large samples again, but no small",
-            "On 10.77.0.2, raise net.core.rmem_max",
+            "images_lose_fragments",  # recorded at the receiver
+            "complete, but not healthy: most large samples to 10.77.0.3 are incomplete, because",
+            "71 IP datagrams lack fragments: 36 from 10.77.0.2 to 10.77.0.3",
+            "datagrams that fit a frame help, too (maxMessageSize 1400",
+        ),
+        (
+            "packets_limited_one_way",
+            "complete, but not healthy: many frames to 10.77.0.2 and 10.77.0.3 are lost, but",
+            "nearly all of these were sent to 10.77.0.2 and 10.77.0.3",
+            "look for what limits packets: flood protection",
         ),
         (
             "busy_computer",  # the process runs for 0.2 s of every 2 s
@@ -1283,6 +1288,21 @@ def test_in_a_fleet_of_routers_the_group_without_a_link_is_named() -> None:
             "name the interface of the robots' network",
         ),
         (
+            "bridge_feeds_itself",
+            "feeds itself",
+            "10.77.0.3",
+            " times a second, and the same process reads it; other robots send theirs at most 1",
+            "look for a bridge, relay or republisher that reads this topic",
+        ),
+        (
+            "router_denies_all",
+            "silent router",
+            "10.77.0.1",
+            "10.77.0.1 got declarations from other routers, but sent neither declarations nor "
+            "samples; 10.77.0.4 read robot1/odom and robot1/scan, which nobody publishes",
+            "look at access_control in the router's Zenoh configuration",
+        ),
+        (
             "peer_of_a_remote_router",  # nothing is sent for 28 s
             "peer at a router",
             "10.77.0.2",
@@ -1317,3 +1337,33 @@ def test_without_an_arp_reply_the_network_may_be_what_delivers_nothing() -> None
     (found,) = replace(seen, _network_events=events).diagnosis().wrong
     assert (found.kind, found.hosts) == ("firewall or network", ("10.77.0.2",))
     assert "or the network delivers none to it" in found.summary
+
+
+def test_parts_of_samples_that_are_lost_and_repaired_at_once_do_no_harm() -> None:
+    found = diagnosis("small_socket_buffer")
+    assert (found.healthy, [one.kind for one in found.findings]) == (True, ["repaired bursts"])
+    slow = ds.read_capture(STAGED / "small_socket_buffer.pcap.xz")
+    acks = slow._messages["submessage"].eq("ACKNACK")
+    rows = slow._messages.assign(time=slow._messages["time"] + 0.15 * acks).sort_values("time")
+    assert replace(slow, _messages=rows).diagnosis().findings[0].kind == "burst loss"
+
+
+def test_a_path_on_which_nothing_arrives_shows_no_size() -> None:
+    kinds = {one.kind for one in diagnosis("packets_limited_one_way").findings}
+    assert "large packets" not in kinds
+
+
+def test_a_router_without_readers_of_missing_topics_is_no_finding() -> None:
+    seen = ds.read_capture(STAGED / "router_denies_all.pcap.xz")
+    ends = seen._endpoints[~seen._endpoints["topic"].astype(str).str.startswith("robot1/")]
+    assert replace(seen, _endpoints=ends).diagnosis().findings == ()
+
+
+def test_groups_between_which_only_unicast_passes_are_told() -> None:
+    first = diagnosis("multicast_within_groups").findings[0]
+    assert (first.kind, len(first.hosts)) == ("multicast filtered", 3)
+    assert first.evidence.endswith(
+        "never from one to the other: 10.77.0.3, 10.77.0.5 and 10.77.0.4; 10.77.0.2 and 10.77.0.1; "
+        "unicast passes, such as between 10.77.0.1 and 10.77.0.3"
+    )
+    assert "make the access point and switches pass multicast" in first.advice.lower()

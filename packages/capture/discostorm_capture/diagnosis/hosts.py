@@ -411,6 +411,10 @@ def _seen_by_recorder(
     in_vain = {(a, b) for a in present for b in absent} <= {*obs.unanswered_arp}
     if len(absent) > 1 and not silent and in_vain and reached:
         return "missing, isolated", say("reaches", sorted(present), sorted(reached))
+    sent = obs.links_of(obs.events("other traffic"))
+    groups = {one for one, to in sent if ip_address(to).is_multicast}
+    if len(absent) == len(silent) > 1 and not groups & {*silent} and obs.is_rtps.any():
+        return "missing, no multicast", ""
     others = [host for host in sorted(present) if not obs.subnet_neighbors(host, absent)]
     alone = len(absent) == len(silent) == len(others) == 1
     if alone and pairs and all(absent[0] in pair for pair in pairs):

@@ -76,6 +76,23 @@ def _was_off(obs: Observations, host: str, stop: float, start: float) -> Finding
     return Finding.of("host restarted", (host,), stop, back, vain)
 
 
+def restarted_with_same_id(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with a process whose writers all begin to number their samples anew."""
+    obs, begins = evidence.obs, dict[int, list[float]]()
+    beats = obs.isin("kind", "User Heartbeat") & (obs.sender_index >= 0)
+    rows = obs.rows_by(beats, obs.sender_index, obs["writer"], obs.receiver_index)
+    writers: dict[int, set[int]] = {}
+    for (process, writer, _), of in rows.items():
+        fell = of[1:][(obs.seq[of[:-1]] >= LIMITS.min_steady_messages) & (obs.seq[of[1:]] <= 1)]
+        if len(fell):
+            begins.setdefault(process, []).append(float(obs.time[fell[0]]))
+            writers.setdefault(process, set()).add(writer)
+    for process, times in begins.items():
+        (host,) = obs.hosts_of([process])
+        if len(writers[process]) > 1 and np.ptp(times) <= LIMITS.max_startup_pause:
+            yield Finding.of("same id again", (host,), len(writers[process]), min(times))
+
+
 def slower_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with a process whose samples all get rarer than at first."""
     obs = evidence.obs

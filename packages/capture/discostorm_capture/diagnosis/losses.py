@@ -120,6 +120,9 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     normal = _wilson_ci(again, sent)[0] <= LIMITS.max_healthy_loss
     normal &= not [*evidence.incomplete_pairs, *multicast_loss(evidence)]
     kind = "heavy loss" if heavy else "some loss" if normal else "loss"
+    if beyond := one_way_loss(evidence):
+        yield Finding("loss one way", beyond, say("one way loss", text, beyond))
+        return
     worst = max(shares.values(), default=0.0)
     # A host that talks with one of the worst has about half its share.
     weak = tuple(of for of, share in shares.items() if share > 0.75 * worst)
@@ -148,6 +151,26 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     # Little loss is a sign, too, if the host that loses frames is the one that sends so much.
     serious = loss.about == "fleet" or broken or (crowded and crowded.hosts == (host,))
     yield (serious and crowded) or loss
+
+
+def one_way_loss(evidence: Evidence) -> tuple[str, ...]:
+    """Return hosts, several, that miss many samples while nearly none of theirs is lost."""
+    lost, sent = (dict[str, Counter[str]]((way, Counter()) for way in ENDS) for _ in range(2))
+    for subject, observer, rows, asks in evidence.answered_samples:
+        count = len(lost_sample_frames(evidence, subject, observer, rows, asks))
+        for way, process in zip(ENDS, (subject, observer), strict=True):
+            (host,) = evidence.obs.hosts_of([process])
+            lost[way][host] += count
+            sent[way][host] += int((evidence.obs.time[rows] > evidence.obs.time[asks[0]]).sum())
+    (by, to), (all_by, all_to) = lost.values(), sent.values()
+    hosts = tuple(
+        host
+        for host, count in sorted(to.items())
+        if count >= max(LIMITS.min_repeats, LIMITS.min_one_way_loss * all_to[host])
+        and by[host] <= LIMITS.max_healthy_loss * all_by[host]
+    )
+    most = sum(to[host] for host in hosts) >= LIMITS.min_share_of_one_host * to.total()
+    return hosts if most and len(hosts) > 1 else ()
 
 
 def late_deliveries(evidence: Evidence) -> Iterator[Finding]:

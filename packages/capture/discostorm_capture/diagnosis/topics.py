@@ -355,6 +355,38 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
                 yield Finding("topic names", (*both["host"].unique(),), join_names(text, "; "))
 
 
+def native_names(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts whose DDS topics lack the prefix of ROS 2 that topics of the same name have."""
+    ends = evidence.endpoints[evidence.obs.is_rtps[evidence.endpoints["index"]]]
+    others: dict[tuple[Any, ...], set[str]] = defaultdict(set)
+    for scope, topic, writer, host in ends[["scope", "topic", "writer", "host"]].to_numpy(object):
+        others[scope, topic, writer].add(host)
+    found: dict[str, dict[str, set[str]]] = defaultdict(dict)
+    for (scope, topic, writer), hosts in others.items():
+        for host in hosts if (scope, f"rt/{topic}", not writer) in others else ():
+            found[host][topic] = others[scope, f"rt/{topic}", not writer]
+    for host, names in found.items():
+        yield Finding.of("native names", (host,), [*names], sorted(set().union(*names.values())))
+
+
+def silent_routers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield Zenoh routers that tell others nothing, if topics that others read lack publishers."""
+    obs, ends = evidence.obs, evidence.endpoints[~evidence.obs.is_rtps[evidence.endpoints["index"]]]
+    wrote = {*ends["topic"][ends["writer"].eq(other=True)]}
+    reads = ends[ends["writer"].eq(other=False) & ~ends["topic"].isin(wrote)]
+    reads = reads[reads["type"].map(ros_type).map(USE_ON_ROBOTS).eq("published")]
+    declares = obs.isin("kind", "Declare") | obs.isin("submessage", "Push")
+    told, heard = (
+        {*np.unique(of[declares]).tolist()} for of in (obs.sender_index, obs.receiver_index)
+    )
+    routers = [one for one in sorted(obs.servers & heard - told) if not obs.is_rtps[one]]
+    lasts = [one for one in routers if obs.end - obs.first_last[0][one] >= LIMITS.timeout]
+    if len(reads) and len(obs.servers & told) > 1:
+        names = sorted({*reads["topic"].map(ros_topic)})
+        for host in obs.hosts_of(lasts):
+            yield Finding.of("silent router", (host,), names, reads["host"].unique())
+
+
 def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
     """Yield how many endpoints have unreadable announcements."""
     unreadable = evidence.obs.endpoints["topic"].isna()

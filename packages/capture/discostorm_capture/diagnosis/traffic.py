@@ -1,4 +1,4 @@
-"""Findings about traffic: storms, unresponsive servers, vanished packets, streams of data."""
+"""Findings about traffic: storms, unresponsive servers and vanished packets."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -12,13 +12,7 @@ from discostorm_capture._types import Array
 from discostorm_capture.diagnosis import losses
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
-from discostorm_capture.diagnosis.observations import (
-    ACKNACK,
-    HEARTBEAT,
-    SAMPLE_KINDS,
-    SEDP,
-    Observations,
-)
+from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import server_clients
 from discostorm_capture.endpoints import ros_topic
 from discostorm_capture.sentences import join_names, say
@@ -86,6 +80,8 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
         if seconds[:lasting].min() >= LIMITS.flood_rate:
             what = obs.messages.iloc[group[0]][["sender", "receiver", "kind"]]
             floods[tuple(map(str, what))] += len(group)
+    for caller, server in _other_server_numbers(obs):  # both ask again and again
+        floods = Counter({of: n for of, n in floods.items() if {*of[:2]} != {caller, server}})
     if not floods:
         return
     flows = [f"{kind} from {one} to {other}" for one, other, kind in floods]
@@ -107,8 +103,9 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
 def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     """Yield servers and routers that do not answer, or that refuse."""
     obs = evidence.obs
-    findings = [*_unresponsive_dds_servers(obs), *_other_server_numbers(obs)]
-    findings += _unresponsive_routers(obs)
+    findings = [*_unresponsive_dds_servers(obs), *_unresponsive_routers(obs)]
+    for (caller, host), count in _other_server_numbers(obs).items():
+        findings.append(Finding.of("server number", (caller,), host, count))
     reported = {host for one in findings for host in one.hosts} | {*obs.host_first_last}
     refused, heard = obs.event_tuples("unreachable"), obs.host_first_last
     # Ports below 1024 belong to other programs, such as syslog (RFC 6335).
@@ -177,20 +174,18 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
             yield Finding.of("unserved", failed, host, f"{count} times", served)
 
 
-def _other_server_numbers(obs: Observations) -> Iterator[Finding]:
-    """Yield clients that ask a Discovery Server only for a number that it does not have."""
+def _other_server_numbers(obs: Observations) -> dict[tuple[str, str], int]:
+    """Return clients that ask a server only for a number that it does not have, and how often."""
     asks = obs.isin("kind", "SPDP Heartbeat", "SPDP ACKNACK") & ~obs["multicast"]
     asks &= np.isin(obs.sender_index, [*server_clients(obs)])
     serves = obs.links_of(obs.messages[np.isin(obs.sender_index, [*obs.servers])])
-    hosts = {host for host, _ in serves}
+    found = dict[tuple[str, str], int]()
     for caller, host in sorted(obs.links_of(obs.messages[asks])):
         to_it = asks & obs.isin("sender", caller) & obs.isin("receiver", host)
-        if (
-            host in hosts
-            and to_it.sum() >= LIMITS.min_messages
-            and (obs.receiver_index[to_it] < 0).all()
-        ):
-            yield Finding.of("server number", (caller,), host, to_it.sum())
+        many = to_it.sum() >= LIMITS.min_messages and host in {by for by, _ in serves}
+        if many and (obs.receiver_index[to_it] < 0).all():
+            found[caller, host] = int(to_it.sum())
+    return found
 
 
 def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
@@ -244,10 +239,13 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             text += "unlike the others, sent no unencrypted Zenoh messages there"
             yield Finding("wrong port", (caller,), text)
         elif port == ZENOH_PORT and obs.messages.empty:
-            others = {one for one, *at in tries if at == [host, port]}
-            served = sorted(one for one in others if tries[one, host, port] < LIMITS.min_calls)
-            if served:
-                yield Finding.of("TLS client", (caller,), host, count, served)
+            good = sorted(
+                one
+                for (one, *at), n in tries.items()
+                if at == [host, port] and n < LIMITS.min_calls
+            )
+            if good:
+                yield Finding.of("TLS client", (caller,), host, count, good)
             else:
                 without_session.setdefault(host, []).append(f"{count} from {caller} to port {port}")
     for host, texts in closed.items():
@@ -287,8 +285,9 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
         # Fragments that were captured at their receiver have arrived.
         whole = len(obs.events("incomplete")) and obs.vantage_host == pair[1]
         passed_size = max(max(arrived, default=0), LARGE_PACKET)
-        if len(lost) >= losses.SEGMENT_LOSS[0] and min(lost) > passed_size and not whole:
-            large[pair] = max(arrived, default=0), min(lost), len(lost)
+        many = len(lost) >= losses.SEGMENT_LOSS[0] and len(arrived) > 0
+        if many and min(lost) > passed_size and not whole:
+            large[pair] = max(arrived), min(lost), len(lost)
     yield from _uncaptured_samples(obs)
     if large:
         passed, least, counts = zip(*large.values(), strict=True)
@@ -325,172 +324,6 @@ def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
         asked = [f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()]
         ends = tuple(dict.fromkeys(chain(*pairs)))
         yield Finding("large packets", ends, say("large samples", asked))
-
-
-def repeated_multicast(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that send user samples by multicast, and many of them again by unicast."""
-    obs, data = evidence.obs, evidence.obs.isin("kind", "User data")
-    asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0)
-    asks |= obs.isin("submessage", "NACK_FRAG")
-    for host in obs.messages["sender"][data & obs["multicast"]].unique():
-        to_all = int((data & obs["multicast"] & obs.isin("sender", host)).sum())
-        again = int((asks & obs.isin("receiver", host)).sum())
-        if again >= max(LIMITS.min_messages, LIMITS.min_repaired_share * to_all):
-            yield Finding.of("data by multicast", (host,), to_all, again)
-
-
-def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the host with the largest stream, if samples by multicast or unicast fill a channel."""
-    obs, ends, sender = evidence.obs, evidence.endpoints, evidence.obs.messages["sender"].cat
-    seconds = obs["airtime_s"] * obs["user"] * ~obs.isin("submessage", "ACKNACK")
-    lossy = {one.hosts for one in repeated_multicast(evidence)}
-    # A link that loses or delays frames may be slower than the channel.
-    slow = [one for one in losses.frame_loss(evidence) if one.about == "fleet"]
-    slow = slow or [*losses.late_deliveries(evidence)]
-    slow = [one for one in slow if one.kind not in losses.CROWDED]
-    limit = LIMITS.max_multicast_use if slow else 1.0
-    kinds = {"stream by multicast": LIMITS.max_multicast_use}
-    kinds |= {"stream on a slow link" if slow else "much data": limit}
-    for (kind, limit), cast in zip(kinds.items(), (True, False), strict=True):
-        rows = (seconds > 0) & (obs["multicast"] == cast)
-        fills = seconds[rows].sum() >= limit * max(obs.end, LIMITS.timeout)
-        if not (rows.any() and (fills or slow)):
-            continue
-        flows = obs.rows_by(rows, sender.codes.to_numpy(), obs.sender_index, obs["writer"])
-        ranked = sorted(((seconds[of].sum(), key) for key, of in flows.items()), reverse=True)
-        # Robots of a kind send streams of a kind.
-        keys = [key for airtime, key in ranked if 2 * airtime >= ranked[0][0]]
-        together = np.concatenate([flows[key] for key in keys])
-        octets = int(obs["bytes"][together].sum())
-        # A link that is slow at times may carry less than the paper's channel.
-        slows = slow and not cast and 2 * octets >= obs["bytes"].sum()
-        if not (fills or (slows and 8 * octets >= LIMITS.slow_stream_rate * obs.end)):
-            continue
-        own = {key[1:] for key in keys}
-        sent = [pair in own for pair in zip(ends["index"], ends["entity"], strict=True)]
-        topic = ends["topic"][np.array(sent, bool)]
-        hosts = tuple(dict.fromkeys(str(sender.categories[key[0]]) for key in keys))
-        reads = ends["topic"].isin(topic) & ends["writer"].eq(other=False)
-        readers = ends["host"][reads & ~ends["host"].isin(hosts)].unique()
-        airtimes = seconds[together].sum(), seconds[rows].sum()
-        shares = [wording.percent(one / obs.end) for one in airtimes]
-        lasts = len(np.unique(obs.time[flows[keys[0]]].astype(np.int64)))
-        most = not slow or cast or slows or 2 * airtimes[0] >= airtimes[1]
-        if lasts >= LIMITS.min_stream_seconds and hosts not in lossy and most:
-            signs = [one.evidence for one in slow]
-            named = [*topic.map(ros_topic)] or ["the largest stream"]
-            to = f" to {join_names(readers)}" if len(readers) else ""
-            yield Finding(kind, hosts, say(kind, hosts, named, *shares, to, *signs))
-
-
-def copies_to_other_addresses(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that announce several addresses, if many samples are copied to them."""
-    obs = evidence.obs
-    data = obs.isin("kind", *SAMPLE_KINDS) & ~obs["multicast"]
-    all_bytes = int(obs["bytes"][data].sum())
-    for host, processes in obs.processes_by_host(range(len(obs.processes))).items():
-        announced = dict.fromkeys(" ".join(obs.processes["announces"].iloc[processes]).split())
-        others = [one for one in announced if one != host]
-        rows = data & obs.isin("receiver", *others)
-        octets, own = int(obs["bytes"][rows].sum()), data & obs.isin("receiver", host)
-        fast = 8 * octets >= LIMITS.slow_stream_rate * max(obs.end, LIMITS.timeout)
-        if fast and octets >= LIMITS.min_copied_share * all_bytes and own.any():
-            senders = obs.messages["sender"][rows].unique()
-            share = wording.percent(octets / all_bytes)
-            yield Finding.of("copies", (host,), others, senders, rows.sum(), share)
-
-
-def busy_topics(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that send a topic far more often than other robots, or very many requests."""
-    obs, ends = evidence.obs, evidence.endpoints
-    ends = ends[ends["writer"].eq(other=True) & ~ends["topic"].astype(str).str.endswith("/rosout")]
-    sends = obs.isin("kind", *SAMPLE_KINDS) & (obs["writer"] > 0)
-    rows = obs.rows_by(sends, obs.sender_index, obs["writer"])
-    keys = zip(ends["index"], ends["entity"], strict=True)
-    counts = [len(np.unique(obs.seq[rows[key]])) if key in rows else 0 for key in keys]
-    ends = ends.assign(rate=np.array(counts) / max(obs.end, LIMITS.timeout))
-    alike = ends["topic"].astype(str).str.replace(r"\d+", "#", regex=True)
-    for (_, name), group in ends.groupby([ends["scope"], alike]):
-        ranked = group.sort_values("rate")
-        host, topic, rate = ranked[["host", "topic", "rate"]].iloc[-1]
-        usual, calls = ranked["rate"].iloc[:-1].max(), str(name).startswith("rq/")
-        if (calls or rate >= LIMITS.min_rate_ratio * usual > 0) and rate >= LIMITS.log_rate:
-            kind = "many calls" if calls else "busy topic"
-            yield Finding.of(kind, (host,), ros_topic(topic), rate, usual)
-
-
-def pausing_processes(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that pause again and again, but then confirm at once all that they were sent."""
-    obs, times = evidence.obs, evidence.min_answer_times.items()
-    acks, lacks = obs.isin("submessage", "ACKNACK"), obs["missing"] > 0
-    beats = obs.isin("submessage", "HEARTBEAT") & ~obs["multicast"] & obs["holes"]
-    for host in sorted({to for (_, to), time in times if time < LIMITS.max_read_delay}):
-        own = obs.isin("sender", host)
-        sent = np.unique(obs.time[own])
-        long = np.flatnonzero(np.diff(sent) > LIMITS.min_hang)
-        pause = sent[long], sent[long + 1]
-        after = pause[1], pause[1] + LIMITS.max_burst_pause
-        # A best-effort reader never answers.
-        reads = obs.rows_by(own & acks, obs.receiver_index, obs["writer"])
-        rows = obs.rows_by(beats & obs.isin("receiver", host), obs.sender_index, obs["writer"])
-        to_it = np.sort(np.concatenate([[], *(rows[one] for one in rows if one in reads)]))
-        spans = (
-            (to_it.astype(int), pause),
-            (own & acks & ~lacks, after),
-            (own & acks & lacks, after),
-        )
-        asked, good, bad = (
-            np.diff(np.searchsorted(obs.time[of], at), axis=0)[0] for of, at in spans
-        )
-        late = (asked >= LIMITS.min_unanswered) & (good > 0) & (bad == 0)
-        if late.sum() >= LIMITS.min_calls:
-            longest = np.subtract(*pause[::-1])[late].max()
-            counts = late.sum(), LIMITS.min_hang, longest, asked[late].sum()
-            yield Finding.of("pauses", (host,), *counts)
-
-
-def bursts_of_samples(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts whose writers all pause most of the time, and then send several samples each."""
-    obs, sender = evidence.obs, evidence.obs.messages["sender"].cat
-    data = obs.isin("kind", *SAMPLE_KINDS) & (obs["writer"] > 0)
-    for (of,), rows in obs.rows_by(data, sender.codes.to_numpy()).items():
-        host, times = str(sender.categories[of]), np.unique(obs.time[rows])
-        long = np.flatnonzero(np.diff(times) > LIMITS.min_stall)
-        begins, pauses = times[np.append(0, long + 1)], np.diff(times)[long]
-        if len(long) < LIMITS.min_bursts or pauses.sum() < np.ptp(times) / 2:
-            continue
-        # A topic whose period is as long as the pauses has one sample in each burst.
-        burst = np.searchsorted(begins, obs.time[rows], side="right")
-        keys = zip(burst, obs.sender_index[rows], obs["writer"][rows], obs.seq[rows], strict=True)
-        sizes = Counter(key[:3] for key in {*keys})
-        several = {key[0] for key, count in sizes.items() if count > 1}
-        others = obs.time[data & ~obs.isin("sender", host)]
-        on = np.diff(np.searchsorted(others, (times[long], times[long + 1])), axis=0)[0] > 0
-        alike = len({key[1:] for key in sizes}) > 1 and on.mean() >= LIMITS.min_steady_share
-        if alike and len(several) >= LIMITS.min_steady_share * len(begins):
-            yield Finding.of("bursts", (host,), len(long), pauses.min(), pauses.max())
-
-
-def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that lose fragments of large samples, but no small samples."""
-    obs = evidence.obs
-    lacking, at = obs.event_tuples("incomplete"), str(obs.vantage_host)
-    whole = obs.messages["frame"][obs.isin("receiver", at) & (obs["frames"] > 1)].nunique()
-    flows = Counter(row[1:3] for row in lacking if row[2] == at)
-    # A capture from the receiver lacks what did not get there.
-    if flows.total() > max(whole, LIMITS.min_messages):
-        pairs = [f"{count:,} from {of} to {to}" for (of, to), count in flows.most_common()]
-        yield Finding("most samples in parts", (at,), say("lack fragments", flows.total(), pairs))
-    asks = obs.isin("submessage", "NACK_FRAG") & ~obs["multicast"]
-    asked = Counter(obs.messages["sender"][asks].astype(str))
-    hosts = sorted(of for of, count in asked.items() if count >= LIMITS.min_fragment_requests)
-    kinds = {one.kind for one in losses.frame_loss(evidence)}
-    text = [f"{host} ({wording.count_noun(asked[host], 'time')})" for host in hosts]
-    # What a capture from the receiver contains has reached it.
-    if hosts == [obs.vantage_host] and kinds <= {"some loss"} and obs.events("incomplete").empty:
-        yield Finding.of("full buffers", hosts, text)
-    elif hosts and not kinds:
-        yield Finding.of("burst loss", hosts, text)
 
 
 def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
