@@ -373,7 +373,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "multicast_stops_for_all",
-            "multicast from 10.77.0.2, 10.77.0.3 and 10.77.0.4 stopped at the same time",
+            "multicast from 10.77.0.2, 10.77.0.3 and 10.77.0.4 stopped, but unicast goes on",
             "by multicast until 17.2 s, and no more after that, though 10.77.0.4 still sends",
             "turn an IGMP querier on",
         ),
@@ -397,7 +397,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "topics_without_prefix",
-            "10.77.0.4 uses topic names without the prefix of ROS 2, so nodes of ROS 2 do not",
+            "10.77.0.4 uses topic names without the prefix of ROS 2, which do not match those of",
             "10.77.0.4 announces fix and gnss/corrections, while 10.77.0.1, 10.77.0.2 and",
             "use the names of ROS 2: the topic `rt/` followed by the name",
         ),

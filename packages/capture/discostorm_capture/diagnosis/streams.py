@@ -185,13 +185,13 @@ def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
 
 def _confirms_promptly(obs: Observations, host: str) -> bool:
     """Return whether a host soon confirms most samples that it gets in fragments."""
-    parts, acks = obs.isin("submessage", "DATA_FRAG"), obs.isin("submessage", "ACKNACK")
-    asks, waits = obs.rows_by(acks & obs.isin("sender", host), obs["writer"]), list[float]()
-    for (writer, number), rows in obs.rows_by(
-        parts & obs.isin("receiver", host), obs["writer"], obs.seq
-    ).items():
-        own = asks.get((writer,), rows[:0])
-        confirms = obs.time[own[(obs.seq[own] > number) & (own > rows[0])]]
-        waits.append(confirms.min(initial=np.inf) - obs.time[rows[0]])
+    parts = obs.isin("submessage", "DATA_FRAG") & obs.isin("receiver", host)
+    acks, waits = obs.isin("submessage", "ACKNACK") & obs.isin("sender", host), list[float]()
+    asks = obs.rows_by(acks, obs.receiver_index, obs["writer"])
+    samples = obs.rows_by(parts, obs.sender_index, obs["writer"], obs.seq)
+    for (*writer, number), (first, *_) in samples.items():
+        own = asks.get((*writer,), np.array([], np.int64))
+        confirms = obs.time[own[(obs.seq[own] > number) & (own > first)]]
+        waits.append(confirms.min(initial=np.inf) - obs.time[first])
     prompt = np.array(waits) <= LIMITS.max_repair_time
     return bool(len(waits) and prompt.mean() >= LIMITS.min_share_of_one_host)
