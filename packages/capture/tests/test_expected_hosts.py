@@ -226,3 +226,13 @@ def test_several_hosts_whose_multicast_never_arrives_are_told_of_it() -> None:
     (found,) = ds.read_capture(path).diagnosis(hosts).wrong
     assert (found.kind, found.hosts) == ("missing, no multicast", hosts[2:])
     assert "ros2 multicast receive" in found.advice
+
+
+def test_robots_of_others_in_the_domain_are_more_hosts_than_expected() -> None:
+    path = Path(__file__).with_name("captures") / "two_robots_in_one_domain.pcap.xz"
+    found = ds.read_capture(path).diagnosis(1)
+    assert (found.wrong[0].kind, found.healthy) == ("too many hosts", False)
+    assert found.wrong[0].evidence.startswith("the capture shows ")
+    assert "hosts in this domain, of 1 expected; " in found.wrong[0].evidence
+    assert found.wrong[0].advice.startswith("Give your robots a ROS_DOMAIN_ID that no other team")
+    assert "too many hosts" not in {one.kind for one in ds.read_capture(path).diagnosis(9).findings}

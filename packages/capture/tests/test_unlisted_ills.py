@@ -384,6 +384,24 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "On 10.77.0.3, check `ufw status`",
         ),
         (
+            "laptop_deaf_to_one_robot",  # recorded on the robot, which sees no other pair
+            "10.77.0.4 hears no other host although packets reach it, most likely because a",
+            "others sent it 384 messages, but it never answered any; it answered 1 ARP requests",
+            "On 10.77.0.4, check `ufw status`",
+        ),
+        (
+            "router_elsewhere",  # refused by a host with a client of the router
+            "10.77.0.3 looks for a Zenoh router on a host that runs none, while another host runs",
+            "10.77.0.4 runs Zenoh, but no router; the router of other hosts is 10.77.0.101",
+            "On 10.77.0.3, correct the address of the server, router or peer",
+        ),
+        (
+            "plain_to_tls",
+            "10.77.0.3 uses the wrong port or transport for the server or router",
+            "sent unencrypted Zenoh messages, to which no Zenoh came back, as from TLS",
+            "correct the port and the transport (tcp/, udp/ or tls/)",
+        ),
+        (
             "uses_docker_interface",
             "172.17.0.1 is the address of Docker's own interface (docker0), so the middleware of",
             "announced themselves from different subnets",

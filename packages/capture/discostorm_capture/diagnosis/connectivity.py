@@ -230,6 +230,9 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
         yield _other_subnet(tuple(hosts[outside]), text)
         deaf &= outside[:, None] == outside
     several = pairs.sum(axis=1) > 1
+    if obs.vantage_host in reach.hosts:  # the others have only one pair in the capture
+        heard = reach.receives[:, reach.hosts.index(obs.vantage_host)]
+        several |= pairs.any(axis=1) & (heard.sum() > 1)
     hears_none, unheard = ((deaf.sum(axis) == pairs.sum(axis)) & deaf.any(axis) for axis in (1, 0))
     for index in np.flatnonzero(hears_none & unheard & several):
         text = f"{hosts[index]} announces itself, but answers no other host and gets no answer"

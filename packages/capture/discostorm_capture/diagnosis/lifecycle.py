@@ -315,7 +315,8 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
             last = max(times, default=np.inf)
             delay = f"{last - first:.1f} s" if last - first >= 0.05 else "less than 0.1 s"
             then = f", and discovery was complete {delay} later"
-            yield Finding.of("late joiner", who, first, then if last < np.inf else "")
+            when = f"at {first:.1f} s" if len(who) == 1 else f"from {first:.1f} s on"
+            yield Finding.of("late joiner", who, when, then if last < np.inf else "")
             break
 
 

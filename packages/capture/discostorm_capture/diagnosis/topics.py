@@ -39,20 +39,23 @@ MAX_TOPICS = 3
 
 def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
     """Yield robots that write their sensors, or read their commands, under the same names."""
-    ends = evidence.endpoints
-    ends = ends.assign(use=ends["type"].map(ros_type).map(USE_ON_ROBOTS))
+    of_all, expected = evidence.endpoints, evidence.obs.expected_hosts
+    ends = of_all.assign(use=of_all["type"].map(ros_type).map(USE_ON_ROBOTS))
     pairs = zip(ends["topic"], ends["use"].map(VERBS), strict=True)
     ends["what"] = [f"{verb} {ros_topic(topic)}" for topic, verb in pairs]
     wrote = ends[ends["writer"].eq(other=True)].groupby(["use", "scope", "topic"])
     ends = ends[ends["use"].eq("published") == ends["writer"].astype(bool)]
     ends = ends[ends["use"].isin(["published", "read"])]
     ends = ends[ends["host"].isin(ends["host"][ends["use"].eq("published")])]
-    for _, of_scope in ends.groupby("scope"):
+    for scope, of_scope in ends.groupby("scope"):
         hosts = of_scope.groupby("what", sort=False)["host"].unique()
         shared = hosts[hosts.map(len) > 1]
         if len(shared) >= LIMITS.min_shared_topics:
             text = join_names([f"{join_names(by)} {what}" for what, by in shared.items()], "; ")
             kind = "robots share topics" if VERBS["read"] in text else "sources share topics"
+            present = {*of_all["host"][of_all["scope"].eq(scope)]} - evidence.obs.server_hosts
+            if isinstance(expected, int) and len(present) > expected:
+                kind, text = "too many hosts", say("too many hosts", len(present), expected, text)
             yield Finding(kind, tuple(sorted({*np.hstack([*shared])})), text)
     for (use, _, topic), rows in wrote:
         begins, ends_at = (times[rows["index"]] for times in evidence.obs.first_last)
@@ -330,6 +333,9 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
         more = f"; and {len(texts) - MAX_TOPICS} more" if len(texts) > MAX_TOPICS else ""
         text = "; ".join([*texts][:MAX_TOPICS]) + more
         hosts = set[str]().union(*texts.values())
+        behind = sorted(hosts & evidence.obs.server_hosts)
+        if behind and kind in ("types differ", "hashes differ", "no hashes"):
+            text += say("behind router", behind)
         if kind in ("transports differ", "no hashes"):  # of one host, on all these topics
             hosts = hosts.intersection(*texts.values()) or hosts
         yield Finding(kind, tuple(sorted(hosts)), text)

@@ -224,7 +224,11 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             continue
         text = f"{caller} opened {count} connections to port {port} on {host}, and "
         if (caller, host) in spoke and host not in {one for one, _ in spoke}:
-            closed.setdefault(host, []).append(f"{count} from {caller} to port {port}")
+            if obs.events("arrived").query("sender == @host and receiver == @caller").empty:
+                closed.setdefault(host, []).append(f"{count} from {caller} to port {port}")
+            else:
+                text += "sent unencrypted Zenoh messages, to which no Zenoh came back, as from TLS"
+                yield Finding("wrong port", (caller,), text)
         elif (caller, host) in spoke:
             text += "each was closed before a session began"
             kind, versions = "session refused", obs.processes["version"]
@@ -254,7 +258,10 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         yield Finding.of("TLS fails", (host,), texts)
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
-        if len(rows) < LIMITS.min_calls or host in peers or np.ptp(times) < LIMITS.min_wait:
+        # Of two peers that list each other, one may refuse.
+        links = {pair for of in callers for pair in ((of, host), (host, of))}
+        known = host in peers and (port != ZENOH_PORT or links & spoke)
+        if known or len(rows) < LIMITS.min_calls or np.ptp(times) < LIMITS.min_wait:
             continue
         counts = Counter(kinds).most_common()
         text = join_names([f"{wording.count_noun(n, 'attempt')} {kind}" for kind, n in counts])
@@ -268,6 +275,9 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             text = f"{by} failed to connect to port {ZENOH_PORT} on {host} ({text})"
             if (host, port) in taken:
                 text += f"; the last successful connection opened at {taken[host, port]:.1f} s"
+            if host in peers and (used := obs.hosts_of(sorted(obs.servers))):
+                yield Finding("wrong router", who, text + say("router of others", host, used))
+                continue
             last = max([time for _, of, *_, time in arp if of == host], default=-np.inf)
             last = max(last, obs.host_first_last.get(host, (0.0, last))[1])
             asked, kind = [row for row in arp if row[2] == host and row[4] > last], "server down"
