@@ -291,11 +291,7 @@ def _groups_without_multicast(
         return
     links = obs.links_of(obs.events("other traffic", "connection"))
     both = sorted(pair for pair in links if pair[::-1] in links and {*pair} <= {*reach.hosts})
-    across = [
-        pair
-        for pair in both
-        if group[reach.hosts.index(pair[0])] != group[reach.hosts.index(pair[1])]
-    ]
+    across = [pair for pair in both if len({*pair} & {*hosts[group]}) == 1]
     if across:
         groups = "; ".join(join_names(hosts[of]) for of in (group, ~group))
         yield Finding(
@@ -307,10 +303,10 @@ def _groups_without_multicast(
 def _other_subnet(hosts: tuple[str, ...], text: str) -> Finding:
     """Return a finding about hosts in another subnet, or in the default network of Docker."""
     # The first address of that network is the one of the host.
-    inside = all(ip_address(host) in DOCKER_NETWORK and not host.endswith(".0.1") for host in hosts)
-    bridge = all(ip_address(host) in DOCKER_NETWORK and host.endswith(".0.1") for host in hosts)
-    kind = "container network" if inside else "Docker interface" if bridge else "other subnet"
-    return Finding(kind, hosts, text)
+    first = {host.endswith(".0.1") for host in hosts}
+    if len(first) > 1 or any(ip_address(host) not in DOCKER_NETWORK for host in hosts):
+        return Finding("other subnet", hosts, text)
+    return Finding("Docker interface" if first == {True} else "container network", hosts, text)
 
 
 def _single_pair_findings(reach: Reachability, matrix: Array, what: str) -> Iterator[Finding]:

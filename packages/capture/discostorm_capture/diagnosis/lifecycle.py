@@ -78,19 +78,18 @@ def _was_off(obs: Observations, host: str, stop: float, start: float) -> Finding
 
 def restarted_with_same_id(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with a process whose writers all begin to number their samples anew."""
-    obs, begins = evidence.obs, dict[int, list[float]]()
+    obs, begins = evidence.obs, dict[int, list[tuple[int, float]]]()
     beats = obs.isin("kind", "User Heartbeat") & (obs.sender_index >= 0)
     rows = obs.rows_by(beats, obs.sender_index, obs["writer"], obs.receiver_index)
-    writers: dict[int, set[int]] = {}
     for (process, writer, _), of in rows.items():
         fell = of[1:][(obs.seq[of[:-1]] >= LIMITS.min_steady_messages) & (obs.seq[of[1:]] <= 1)]
         if len(fell):
-            begins.setdefault(process, []).append(float(obs.time[fell[0]]))
-            writers.setdefault(process, set()).add(writer)
-    for process, times in begins.items():
-        (host,) = obs.hosts_of([process])
-        if len(writers[process]) > 1 and np.ptp(times) <= LIMITS.max_startup_pause:
-            yield Finding.of("same id again", (host,), len(writers[process]), min(times))
+            begins.setdefault(process, []).append((writer, float(obs.time[fell[0]])))
+    for process, found in begins.items():
+        writers, times = zip(*found, strict=True)
+        count = len({*writers})
+        if count > 1 and np.ptp(times) <= LIMITS.max_startup_pause:
+            yield Finding.of("same id again", obs.hosts_of([process]), count, min(times))
 
 
 def slower_processes(evidence: Evidence) -> Iterator[Finding]:
