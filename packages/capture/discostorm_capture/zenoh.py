@@ -265,7 +265,7 @@ def _add_fragments(
 ) -> list[Columns]:
     """Return all messages, also from fragments; collect the endpoints that they declare."""
     tables, sources = [messages], [(data, parsed)]
-    if fragments := _complete_fragments(data, parsed, seen.notes):
+    if fragments := _complete_fragments(data, parsed, messages, seen.notes):
         content, inner, *tables = _reassemble(data, parsed, messages, fragments, seen.notes)
         sources.append((content, inner))
     declares = (take_rows(rows, np.isin(rows["code"], _ENDPOINT_CODES)) for _, rows in sources)
@@ -315,8 +315,13 @@ def _name_samples(
                 seen.time_stamps.append((*sender, nanoseconds // 10**9))
 
 
-def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list[int]]:
-    """Return the rows of fragments, one list for each message of which all were captured."""
+def _complete_fragments(
+    data: Bytes, parsed: Columns, messages: Columns, notes: Notes
+) -> list[list[int]]:
+    """Return the rows of fragments, one list for each message of which all were captured.
+
+    In ``holes`` of messages, mark those before which the sender broke off another one.
+    """
     pending: dict[tuple[int, int, bytes], list[int]] = {}
     complete, lacking, last = [], 0, dict[tuple[int, int, bytes], int]()
     for row in np.flatnonzero(parsed["code"] == CODES["transport"][FRAGMENT]).tolist():
@@ -330,7 +335,8 @@ def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list
         is_qos = len(qos) == 2 and qos[0] & 0x7F == _QOS_EXTENSION
         key = int(parsed["stream"][row]), head & _RELIABLE_FLAG, qos[1:] if is_qos else b""
         if pending.get(key) and number != last[key] + 1:
-            del pending[key]
+            # Only an empty batch is between them: the capture lacks nothing.
+            messages["holes"][row] = at == int(parsed["end"][pending.pop(key)[-1]]) + 4
             lacking += 1
         pending.setdefault(key, []).append(row)
         last[key] = number

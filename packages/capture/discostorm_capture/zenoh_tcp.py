@@ -119,9 +119,11 @@ def _batches_from(
     data: Any, at: int, end: int, kinds: Container[int] = range(32)
 ) -> Iterator[tuple[int, int]]:
     """Yield the first byte and the end of successive batches, while these are of some kinds."""
-    while at + 3 <= end and data[at + 2] & 0x1F in kinds:
-        after = at + 2 + data[at] + 256 * data[at + 1]
-        if after > end or after == at + 2:
+    while at + 3 <= end:
+        # A sender that breaks off a message may send an empty batch.
+        at += 2 * (data[at] == data[at + 1] == 0)
+        after = at + 2 + int.from_bytes(data[at : at + 2], "little")
+        if after > end or after == at + 2 or data[at + 2] & 0x1F not in kinds:
             return
         yield at + 2, after
         at = after

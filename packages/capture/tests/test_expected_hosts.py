@@ -130,6 +130,13 @@ def test_a_missing_host_that_asks_for_an_address_in_vain_is_told_with_it() -> No
             "172.17.0.1 seems to be another address of 10.77.0.2",
             "Tell the middleware on 10.77.0.2 which network interface to use",
         ),
+        (
+            "multicast_blocked_expected",  # 10.77.0.4 sent nothing at all to the recording host
+            ("10.77.0.2", "10.77.0.3", "10.77.0.4"),
+            "missing, no multicast",
+            "10.77.0.2 and 10.77.0.3 sent other packets, so they are on the network",
+            "Run `ros2 multicast receive` on a host that was found",
+        ),
     ],
 )
 def test_the_recording_host_shows_why_others_are_missing(

@@ -269,6 +269,24 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "On 10.77.0.3, correct the port and the transport (tcp/, udp/ or tls/)",
         ),
         (
+            "tls_to_a_plain_router",  # it tries again after 10 s
+            "10.77.0.3 uses the wrong port or transport for the server or router",
+            "opened 2 connections to port 7447 on 10.77.0.101, and unlike the others, sent only",
+            "On 10.77.0.3, correct the port and the transport (tcp/, udp/ or tls/)",
+        ),
+        (
+            "humble_behind_a_router",
+            "10.77.0.3 runs a ROS 2 distribution without type hashes (Humble)",
+            "the writer on 10.77.0.1 and the reader on 10.77.0.3 have different definitions",
+            "Run the same ROS 2 distribution on all hosts",
+        ),
+        (
+            "loopback_on_one_of_three",  # it logs into 10.77.0.1, which announces itself
+            "the programs on 10.77.0.3 use only the loopback interface, so no other host hears",
+            "but its DDS processes (2) sent only to themselves (127.0.0.1)",
+            "On 10.77.0.3, unset ROS_LOCALHOST_ONLY",
+        ),
+        (
             "two_networks",
             "either the access point isolates its clients from each other (client isolation), or",
             "gets through between them: 10.77.0.3 and 10.77.0.4; 10.77.0.2 and 10.77.0.1",
@@ -533,6 +551,16 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
             "If 10.77.0.101 is a laptop, check for suspend",
         ),
         (
+            "bridge_feeds_itself_beside_commander",  # what it repeats are commands
+            "10.77.0.3 sends a topic far more often than the other robots send theirs, from a",
+            "let it send to another topic or domain",
+        ),
+        (
+            "script_in_parallel_loops",
+            "A process on 10.77.0.5 keeps exiting cleanly and starting again.",
+            "such as a script that runs `ros2` commands in a loop, and replace it by one node",
+        ),
+        (
             "sensor_not_activated",  # the publisher on robot 3 is there, but sends nothing
             "A sensor's topic of 10.77.0.3 is not published, although the other robots publish",
             "is active (`ros2 lifecycle get NODE`)",
@@ -679,6 +707,12 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
             "complete, but not healthy: most large samples to 10.77.0.3 are incomplete, because",
             "71 IP datagrams lack fragments: 36 from 10.77.0.2 to 10.77.0.3",
             "datagrams that fit a frame help, too (maxMessageSize 1400",
+        ),
+        (
+            "link_drops_images",  # images of 24 Mbit/s on a link of 6 Mbit/s
+            "complete, but not healthy: Zenoh drops large samples to or from 10.77.0.2 before",
+            "10.77.0.2 began 15 large samples to 10.77.0.101, but left them incomplete, as Zenoh",
+            "Otherwise, send less data",
         ),
         (
             "packets_limited_one_way",
@@ -1056,7 +1090,7 @@ def test_commands_in_a_loop_are_an_event_of_a_healthy_fleet() -> None:
     found = diagnosis("shell_loop")
     assert (found.healthy, found.findings[0].kind) == (True, "command loop")
     assert "said goodbye 7 times, about every 2.6 s" in found.summary()
-    assert "find what keeps starting a short-lived program there" in found.summary()
+    assert "Find what keeps starting a short-lived program on 10.77.0.1" in found.summary()
 
 
 def test_a_participant_that_fast_dds_disposes_of_without_its_key_has_left() -> None:

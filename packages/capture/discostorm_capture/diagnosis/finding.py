@@ -55,6 +55,12 @@ class Finding:
         return cls(kind, hosts, say(kind, hosts, *values))
 
     @property
+    def _names(self) -> str:
+        # Only the host that recorded can record what stays on it.
+        own = "127.0.0.1"
+        return join_names([f"{own} (the recording host)" if of == own else of for of in self.hosts])
+
+    @property
     def about(self) -> str:
         """The subject: the "fleet", an "event" or the "capture"."""
         return finding_kinds()[self.kind]["about"]
@@ -72,7 +78,7 @@ class Finding:
     @property
     def summary(self) -> str:
         """What is wrong, in one clause; if there are two possible causes, both."""
-        summary = finding_kinds()[self.kind]["summary"].replace("HOSTS", join_names(self.hosts))
+        summary = finding_kinds()[self.kind]["summary"].replace("HOSTS", self._names)
         return re.sub(r"\{(.*?)\|(.*?)\}", r"\2" if len(self.hosts) > 1 else r"\1", summary)
 
     @property
@@ -84,7 +90,7 @@ class Finding:
     def advice(self) -> str:
         """What to do about it, as text."""
         advice = remedies()[self.remedy]["what"] if self.remedy else ""
-        advice = advice.replace("HOSTS", join_names(self.hosts) or "all hosts")
+        advice = advice.replace("HOSTS", self._names or "all hosts")
         own = [text for policy, text in QOS_REMEDIES.items() if f"({policy}_" in self.evidence]
         advice = advice.replace("RECORD", wording.TCPDUMP.format(file="discovery.pcap"))
         return " ".join([advice, *own])

@@ -118,8 +118,11 @@ def loopback_only(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     local = np.array([ip_address(host).is_loopback for host in obs.process_host], bool)
     links = obs.links_of(obs.events("exchange", "connection", "other traffic"))
+    links |= obs.links_of(obs.messages[~obs["multicast"]])
     pairs = [{*pair} for pair in links if not any(ip_address(end).is_loopback for end in pair)]
     common = set.intersection(*pairs) if pairs else set()
+    if len(common) == 2:  # only two hosts exchange packets, of which one may announce itself
+        common -= {*obs.process_host[~local]}
     # Nodes of rmw_zenoh reach their router by loopback, and the router reaches other hosts.
     kinds = {"loopback only": obs.is_rtps, "router alone": ~obs.is_rtps & obs.is_server}
     for kind, chosen in kinds.items():
@@ -413,7 +416,8 @@ def _seen_by_recorder(
         return "missing, isolated", say("reaches", sorted(present), sorted(reached))
     sent = obs.links_of(obs.events("other traffic"))
     groups = {one for one, to in sent if ip_address(to).is_multicast}
-    if len(absent) == len(silent) > 1 and not groups & {*silent} and obs.is_rtps.any():
+    most = len(silent) == len(absent) or len(present) == 1
+    if len(silent) > 1 and most and not groups & {*silent} and obs.is_rtps.any():
         return "missing, no multicast", ""
     others = [host for host in sorted(present) if not obs.subnet_neighbors(host, absent)]
     alone = len(absent) == len(silent) == len(others) == 1

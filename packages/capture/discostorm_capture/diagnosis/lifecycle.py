@@ -52,7 +52,11 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
         begins, ends = np.array(sorted(zip(first[ended], last[ended], strict=True))).T
         gaps, in_turn = np.diff(begins), (ends[:-1] < begins[1:]).all()
         many = len(gaps) >= LIMITS.min_regular_gaps
-        if in_turn and many and gaps.max() <= LIMITS.max_gap_ratio * np.median(gaps):
+        regular = in_turn and many and gaps.max() <= LIMITS.max_gap_ratio * np.median(gaps)
+        # Or several run at a time, as those of parallel loops do.
+        brief = (ends - begins).max() <= LIMITS.max_startup_pause
+        brief &= len(ended) >= LIMITS.min_repeats and np.ptp(begins) >= LIMITS.min_storm_time
+        if regular or brief:
             again.pop(host, None)
             text = say("said goodbye often", host, len(ended), np.median(gaps))
             yield Finding("command loop", (host,), text)

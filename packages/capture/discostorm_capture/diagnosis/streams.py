@@ -87,6 +87,23 @@ def copies_to_other_addresses(evidence: Evidence) -> Iterator[Finding]:
             yield Finding.of("copies", (host,), others, senders, rows.sum(), share)
 
 
+def broken_off_samples(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts on whose Zenoh sessions the sender breaks off large samples again and again."""
+    obs, ends = evidence.obs, evidence.endpoints
+    breaks = obs.isin("kind", "Fragment") & obs["holes"]
+    rows = obs.rows_by(breaks, obs.sender_index, obs.receiver_index)
+    for pair, of in rows.items():
+        if len(np.unique(obs.time[of].astype(np.int64))) >= LIMITS.min_stream_seconds:
+            sender, receiver = (str(obs.process_host[one]) for one in pair)
+            # The slow link is rarely that of the router.
+            host = receiver if pair[0] in obs.servers and pair[1] not in obs.servers else sender
+            own = ends["host"].eq(sender) & ends["writer"].eq(other=True)
+            named = ends["topic"][own].map(ros_topic).unique()
+            text = say("breaks off", sender, len(of), receiver)
+            text += f"; it publishes {join_names(named)}" if len(named) else ""
+            yield Finding("breaks off", (host,), text)
+
+
 def busy_topics(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that send a topic far more often than other robots, or very many requests."""
     obs, ends = evidence.obs, evidence.endpoints

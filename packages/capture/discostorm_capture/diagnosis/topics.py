@@ -328,7 +328,8 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
                 )
             if text:
                 hosts = found[kind].setdefault(f"{name}: {text}", set())
-                hosts.update(ends[writer], ends[reader])
+                older = [one for one in (writer, reader) if one.type_hash == NO_HASH]
+                hosts.update(*(ends[one] for one in (older or (writer, reader))))
     for kind, texts in found.items():
         more = f"; and {len(texts) - MAX_TOPICS} more" if len(texts) > MAX_TOPICS else ""
         text = "; ".join([*texts][:MAX_TOPICS]) + more

@@ -1,6 +1,6 @@
 """Findings about traffic: storms, unresponsive servers and vanished packets."""
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 from itertools import chain
 
@@ -194,7 +194,9 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
     arp = obs.event_tuples("ARP request", "ARP reply")
     calls = obs.event_tuples("connection", "refused", "unanswered", "unreachable")
     taken = {(host, port): time for kind, _, host, port, time in calls if kind == "connection"}
-    tries = Counter(row[1:4] for row in calls if row[0] == "connection")
+    tries = defaultdict[tuple[str, str, int], list[float]](list)
+    for _, caller, host, port, time in (row for row in calls if row[0] == "connection"):
+        tries[caller, host, port].append(time)
     failed: dict[tuple[str, int, bool], list[tuple[str, str, float]]] = {}
     vain: dict[tuple[str, int, bool], list[tuple[str, float]]] = {}
     for kind, caller, host, port, time in calls:
@@ -219,12 +221,14 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
     closed: dict[str, list[str]] = {}
     spoke = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
     opened = obs.links_of(obs.messages[obs.isin("submessage", "OpenAck")])
-    for (caller, host, port), count in tries.items():
-        if count < LIMITS.min_calls or {(caller, host), (host, caller)} & opened:
+    arrived = obs.links_of(obs.events("arrived"))
+    for (caller, host, port), begins in tries.items():
+        few = (count := len(begins)) < LIMITS.min_calls and np.ptp(begins) < LIMITS.max_pause
+        if few or {(caller, host), (host, caller)} & opened:
             continue
         text = f"{caller} opened {count} connections to port {port} on {host}, and "
         if (caller, host) in spoke and host not in {one for one, _ in spoke}:
-            if obs.events("arrived").query("sender == @host and receiver == @caller").empty:
+            if (host, caller) not in arrived:
                 closed.setdefault(host, []).append(f"{count} from {caller} to port {port}")
             else:
                 text += "sent unencrypted Zenoh messages, to which no Zenoh came back, as from TLS"
@@ -240,13 +244,14 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
                 text += say(said, *ends)
             yield Finding(kind, (caller,), text)
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
-            text += "unlike the others, sent no unencrypted Zenoh messages there"
-            yield Finding("wrong port", (caller,), text)
+            if (caller, host) in arrived:  # else it only checks whether the port is open
+                text += say("no plain Zenoh")
+                yield Finding("wrong port", (caller,), text)
         elif port == ZENOH_PORT and obs.messages.empty:
             good = sorted(
                 one
-                for (one, *at), n in tries.items()
-                if at == [host, port] and n < LIMITS.min_calls
+                for (one, *at), of in tries.items()
+                if at == [host, port] and len(of) < LIMITS.min_calls
             )
             if good:
                 yield Finding.of("TLS client", (caller,), host, count, good)
