@@ -11,7 +11,8 @@ from discostorm_capture._types import Array, Bytes, Columns
 
 #: Kinds of events. Instead of a port, ARP and MAC have the sender's MAC address, "to MAC" has the
 #: receiver's, and segments that arrived or vanished their payload size [B], time stamps their
-#: seconds, other traffic its bytes, jitter its milliseconds, and incomplete datagrams 0.
+#: seconds, other traffic its bytes, jitter its milliseconds, and incomplete datagrams the size of
+#: a fragment [B].
 EVENT_KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
@@ -191,7 +192,7 @@ def mac_addresses(packets: Columns) -> Columns:
 def incomplete_datagrams(fragments: Columns, rows: Array) -> Columns:
     """Return one event for each datagram that lacks fragments, given one fragment of each."""
     columns = {name: fragments[name][rows] for name in ("frame", "source", "target")}
-    return _event_table(_INCOMPLETE, **columns, port=np.zeros(len(rows), np.int64))
+    return _event_table(_INCOMPLETE, **columns, port=fragments["wire"][rows])
 
 
 def unknown_names(data: Bytes, datagrams: Columns) -> Columns:

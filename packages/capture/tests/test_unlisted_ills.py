@@ -7,6 +7,7 @@ what the server sends or gets. Hosts are
 """
 
 import lzma
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -379,9 +380,9 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "two_servers_with_one_number",  # a client lists the second one as number 1
-            "10.77.0.3 asks for a server number that the server does not have",
-            "10.77.0.3 sent 119 messages to 10.77.0.2 with one server number",
-            "If two servers have the same number, start one with another",
+            "the servers on 10.77.0.1 and 10.77.0.2 have the same number, so clients that list",
+            "10.77.0.3 (119 times) asked one of them for another number in vain",
+            "Start one of the servers on 10.77.0.1 and 10.77.0.2 with another number",
         ),
         (
             "one_client_distrusts",
@@ -392,7 +393,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "multicast_stops_for_all",
             "multicast from 10.77.0.2, 10.77.0.3 and 10.77.0.4 stopped, but unicast goes on",
-            "by multicast until 17.2 s, and no more after that, though 10.77.0.4 still sends",
+            "by multicast until 17.2 s, and no more after that, though unicast still comes from",
             "turn an IGMP querier on",
         ),
         (
@@ -424,6 +425,12 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "172.17.0.1 is the address of Docker's own interface (docker0), so the middleware of",
             "announced themselves from different subnets",
             "On 172.17.0.1, name the interface of the robots' network",
+        ),
+        (
+            "jumbo_frames",  # MTU 9000 on the host that recorded
+            "10.77.0.2 sends packets larger than 1500 bytes (jumbo frames), and parts of them",
+            "10.77.0.2 sends IP fragments of up to 8,976 bytes; 22 of its datagrams lack fragments",
+            "Where the MTU is above 1500 (jumbo frames), set it to 1500 first",
         ),
         (
             "same_id_again",
@@ -1207,9 +1214,23 @@ def test_replies_that_are_errors_are_no_replies() -> None:
     assert "10 requests of /robot2/is_path_valid (service); it replied to 0" in found.evidence
 
 
+def test_two_servers_with_one_number_come_before_the_one_that_is_down() -> None:
+    first, second = diagnosis("servers_with_one_number").wrong
+    assert (first.kind, first.hosts) == ("same server number", ("10.77.0.101", "10.77.0.102"))
+    assert "10.77.0.1 (220 times) and 10.77.0.3 (93 times) asked one of them" in first.evidence
+    assert "with another number (`fastdds discovery -i 1`)" in first.advice
+    assert (second.kind, second.hosts) == ("server down", ("10.77.0.101",))
+
+
+def test_multicast_that_ends_explains_a_host_that_is_missing() -> None:
+    first, second = diagnosis("multicast_stops_for_all", 5).wrong
+    assert (first.kind, second.kind) == ("multicast ends", "too few hosts")
+
+
 def test_a_router_that_refuses_a_session_has_not_left() -> None:
-    found = diagnosis("two_clients_with_one_id")  # the router closes the second one's sessions
-    assert [one.kind for one in found.findings] == ["duplicate id"]
+    found = diagnosis("two_clients_with_one_id")
+    assert [one.kind for one in found.findings] == ["processes with one id"]
+    assert re.search(r"; 10.77.0.101 closed \d+ of their sessions", found.findings[0].evidence)
 
 
 def test_calls_between_other_hosts_show_that_the_capture_has_their_unicast() -> None:

@@ -194,7 +194,12 @@ def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
         if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
-            yield Finding.of("duplicate id", hosts, name)
+            text, closes = say("duplicate id", hosts, name), obs.isin("kind", "Close")
+            closes &= obs.isin("receiver", *hosts)
+            if (count := closes.sum()) >= LIMITS.min_calls:  # by who has a session with the other
+                text += say("closes again", obs.messages["sender"][closes].unique(), count)
+            kind = "processes with one id" if count >= LIMITS.min_calls else "duplicate id"
+            yield Finding(kind, tuple(hosts), text)
 
 
 def different_middleware(evidence: Evidence) -> Iterator[Finding]:

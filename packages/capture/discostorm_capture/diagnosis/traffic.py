@@ -104,8 +104,16 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     """Yield servers and routers that do not answer, or that refuse."""
     obs = evidence.obs
     findings = [*_unresponsive_dds_servers(obs), *_unresponsive_routers(obs)]
+    twins: dict[tuple[str, ...], list[str]] = {}
     for (caller, host), count in _other_server_numbers(obs).items():
-        findings.append(Finding.of("server number", (caller,), host, count))
+        # A server's number determines its id.
+        own = np.isin(obs.sender_index, obs.sender_index[obs.isin("sender", host)])
+        alike = obs.messages["sender"][own & (obs.sender_index >= 0)].unique()
+        if len(alike) > 1:
+            twins.setdefault(tuple(sorted(alike)), []).append(f"{caller} ({count} times)")
+        else:
+            findings.append(Finding.of("server number", (caller,), host, count))
+    findings += [Finding.of("same server number", hosts, of) for hosts, of in twins.items()]
     reported = {host for one in findings for host in one.hosts} | {*obs.host_first_last}
     refused, heard = obs.event_tuples("unreachable"), obs.host_first_last
     # Ports below 1024 belong to other programs, such as syslog (RFC 6335).
@@ -304,6 +312,10 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
         if many and min(lost) > passed_size and not whole:
             large[pair] = max(arrived), min(lost), len(lost)
     yield from _uncaptured_samples(obs)
+    parts = obs.events("incomplete").query(f"port > {ETHERNET_MTU}")
+    for host, sizes in parts.groupby("sender", observed=True)["port"]:
+        if len(sizes) >= LIMITS.min_messages:
+            yield Finding.of("jumbo frames", (str(host),), sizes.max(), len(sizes))
     if large:
         passed, least, counts = zip(*large.values(), strict=True)
         flows = [f"from {one} to {other}" for one, other in large]
