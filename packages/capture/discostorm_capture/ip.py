@@ -158,4 +158,5 @@ def tcp_segments(data: Bytes, packets: Columns) -> Columns:
         "sequence": numbers_at(data, at + 4, ">u4").astype(np.int64),
         "acknowledges": numbers_at(data, at + 8, ">u4").astype(np.int64),
         "flags": data[at + 13],
+        "window": numbers_at(data, at + 14, ">u2").astype(np.int32),
     }

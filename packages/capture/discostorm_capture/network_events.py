@@ -11,25 +11,26 @@ from discostorm_capture._types import Array, Bytes, Columns
 
 #: Kinds of events. Instead of a port, ARP and MAC have the sender's MAC address, "to MAC" has the
 #: receiver's, and segments that arrived or vanished their payload size [B], time stamps their
-#: seconds, other traffic its bytes, jitter its milliseconds, and incomplete datagrams the size of
-#: a fragment [B].
+#: seconds, other traffic its bytes, jitter and full windows their milliseconds, and incomplete
+#: datagrams the size of a fragment [B].
 EVENT_KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
     *("time stamp", "parts missing", "other traffic", "MAC", "prohibited"),
-    *("jitter", "incomplete", "unknown name", "to MAC"),
+    *("jitter", "incomplete", "unknown name", "to MAC", "full window"),
 )
 _ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
 _HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED = range(6, 11)
-_TIME_STAMP, _PARTS, _OTHER, _MAC, _PROHIBITED, _JITTER, _INCOMPLETE, _NO_NAME, _TO_MAC = range(
-    11, 20
-)
+_TIME_STAMP, _PARTS, _OTHER, _MAC, _PROHIBITED = range(11, 16)
+_JITTER, _INCOMPLETE, _NO_NAME, _TO_MAC, _FULL_WINDOW = range(16, 21)
 _ARP_BYTES, _DESTINATION_UNREACHABLE, _REASSEMBLY_TIMEOUT = 28, 3, 0x0B01
 _ECHO_REPLY, _ECHO_REQUEST = 0, 8
 #: ICMP codes of a firewall that rejects a packet: network, host or communication (RFC 1812).
 _PROHIBITED_CODES = (9, 10, 13)
 #: A segment has vanished after this many transmissions without an acknowledgement.
 _MIN_TRANSMISSIONS = 3
+#: A receive window stays full for this time if the program does not read [s].
+_MIN_FULL_TIME = 1.0
 _DNS_PORT, _DNS_HEADER_BYTES = 53, 12
 #: The delays of a stream, and of pings, are compared if there are so many.
 _MIN_DELAYS, _MIN_ECHOES = 50, 10
@@ -111,6 +112,20 @@ def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
     kinds = (_ARRIVED, largest), (_VANISHED, often)
     tables = (_events_of_rows(kind, table, rows) | {"port": wire[rows]} for kind, rows in kinds)
     return concat(*tables)
+
+
+def full_windows(streams: tcp.Streams, since: Array) -> Columns:
+    """Return one event for each time that a sender of segments long takes no data (RFC 9293)."""
+    table = streams.segments
+    full = (table["window"] == 0) & (table["flags"] & (tcp.SYN | tcp.FIN | tcp.RST) == 0)
+    changes = np.diff(full, prepend=False) | (np.diff(table["stream"], prepend=-1) != 0)
+    rows = np.flatnonzero(full)
+    _, first, count = np.unique(np.cumsum(changes)[rows], return_index=True, return_counts=True)
+    time, last = since[table["frame"][rows]], first + count - 1
+    lasts = 1e3 * (time[last] - time[first])
+    long = lasts >= 1e3 * _MIN_FULL_TIME
+    events = _events_of_rows(_FULL_WINDOW, table, rows[first[long]])
+    return events | {"port": lasts[long].astype(np.int64)}
 
 
 def acknowledgement_jitter(streams: tcp.Streams, since: Array) -> Columns:

@@ -131,6 +131,7 @@ def _dissect_all(
         network_events.time_stamps(stamps, np.arange(len(stamps["frame"])), stamps["to_port"]),
         network_events.connection_events(streams),
         network_events.arrived_and_vanished_segments(streams),
+        network_events.full_windows(streams, since),
         network_events.acknowledgement_jitter(streams, since),
         *map(network_events.addressed_ports, (messages, scouts)),
         *(network_events.other_traffic(of, frames) for of in both),

@@ -32,7 +32,8 @@ def diagnosis(name: str) -> Diagnosis:
         (
             "duplicate_zenoh_id",
             ("10.77.0.2", "10.77.0.1"),
-            "10.77.0.2 and 10.77.0.1 announce the same ID, a1b2; 10.77.0.3 closed 3 of their sessions",
+            "10.77.0.2 and 10.77.0.1 announce the same ID, a1b2; 10.77.0.3 closed 3 of their sess"
+            "ions",
         ),
         (
             "different_middleware",

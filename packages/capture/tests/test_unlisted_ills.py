@@ -37,7 +37,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "humble_beside_jazzy_zenoh",
-            "10.77.0.101 runs a ROS 2 distribution without type hashes (Humble)",
+            "a host behind the router on 10.77.0.101 runs a ROS 2 distribution without type hashes",
             "(RIHS01_df668c740... and TypeHashNotSuppo...)",
             "Run the same ROS 2 distribution on all hosts",
         ),
@@ -282,6 +282,18 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "Run the same ROS 2 distribution on all hosts",
         ),
         (
+            "peers_of_one_remote_router",
+            "10.77.0.2, 10.77.0.5, 10.77.0.1, 10.77.0.4 and 10.77.0.3 are peers whose router is on",
+            "have sessions only with 10.77.0.101, which declared nothing to them",
+            "set mode to client on 10.77.0.2, 10.77.0.5, 10.77.0.1, 10.77.0.4 and 10.77.0.3",
+        ),
+        (
+            "addresses_in_vain",  # such as those of Docker and a VPN, each called for 10 s
+            "10.77.0.2, 10.77.0.1 and 10.77.0.3 announce addresses that other hosts cannot reach",
+            "none answered: 10.77.0.2 (10.8.2.1, 172.22.0.1, 172.32.0.1 and 192.168.182.1), ",
+            "set listen/endpoints in the Zenoh configuration to the address in the robots' network",
+        ),
+        (
             "loopback_on_one_of_three",  # it logs into 10.77.0.1, which announces itself
             "the programs on 10.77.0.3 use only the loopback interface, so no other host hears",
             "but its DDS processes (2) sent only to themselves (127.0.0.1)",
@@ -427,7 +439,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "On 172.17.0.1, name the interface of the robots' network",
         ),
         (
-            "jumbo_frames",  # MTU 9000 on the host that recorded
+            "jumbo_frames_of_recorder",  # MTU 9000 on the host that recorded
             "10.77.0.2 sends packets larger than 1500 bytes (jumbo frames), and parts of them",
             "10.77.0.2 sends IP fragments of up to 8,976 bytes; 22 of its datagrams lack fragments",
             "Where the MTU is above 1500 (jumbo frames), set it to 1500 first",
@@ -716,10 +728,16 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
             "datagrams that fit a frame help, too (maxMessageSize 1400",
         ),
         (
+            "reader_with_full_window",
+            "complete, but not healthy: a program on 10.77.0.4 reads nothing any more from its",
+            "told 10.77.0.1 by TCP from 8.7 s to 23.8 s that its receive window is full",
+            "On 10.77.0.4, restart this program",
+        ),
+        (
             "link_drops_images",  # images of 24 Mbit/s on a link of 6 Mbit/s
             "complete, but not healthy: Zenoh drops large samples to or from 10.77.0.2 before",
             "10.77.0.2 began 15 large samples to 10.77.0.101, but left them incomplete, as Zenoh",
-            "Otherwise, send less data",
+            "If a few large samples are enough, let Zenoh finish those that it began",
         ),
         (
             "packets_limited_one_way",
@@ -1225,6 +1243,12 @@ def test_two_servers_with_one_number_come_before_the_one_that_is_down() -> None:
 def test_multicast_that_ends_explains_a_host_that_is_missing() -> None:
     first, second = diagnosis("multicast_stops_for_all", 5).wrong
     assert (first.kind, second.kind) == ("multicast ends", "too few hosts")
+
+
+def test_senders_by_multicast_are_ranked_and_the_largest_topic_is_named() -> None:
+    first = diagnosis("three_send_by_multicast").findings[0]
+    assert (first.kind, first.hosts[0], len(first.hosts)) == ("data by multicast", "10.77.0.1", 3)
+    assert first.evidence.endswith("most bytes are of /robot1/camera/image_raw")
 
 
 def test_a_router_that_refuses_a_session_has_not_left() -> None:

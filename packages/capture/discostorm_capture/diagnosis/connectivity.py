@@ -156,6 +156,20 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
         yield Finding.of("no TCP", [*dict.fromkeys(called for _, called in vain)], said)
 
 
+def unreachable_locators(evidence: Evidence) -> Iterator[Finding]:
+    """Yield Zenoh hosts that others first call in vain at further addresses that they announce."""
+    obs, vain = evidence.obs, dict[str, str]()
+    links, failed = (obs.event_tuples(kind) for kind in ("connection", "unanswered"))
+    for host, processes in obs.processes_by_host(np.flatnonzero(~obs.is_rtps).tolist()).items():
+        announced = {*" ".join(obs.processes["announces"].iloc[processes]).split()}
+        calls = {row[2]: row[4] for row in failed if row[2] in {host, *announced}}
+        linked = min([row[4] for row in links if host in row[1:3]], default=np.inf)
+        if calls and host not in calls and linked > min(calls.values()) + LIMITS.min_wait:
+            vain[host] = f"{host} ({join_names(sorted(calls))})"
+    if vain:
+        yield Finding.of("unreachable locators", vain, [*vain.values()])
+
+
 def rejecting_firewalls(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts whose firewall rejects packets of others, as its ICMP replies say."""
     rejected = Counter(row[2] for row in evidence.obs.event_tuples("prohibited"))

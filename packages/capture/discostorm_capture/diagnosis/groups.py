@@ -144,6 +144,9 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
         text += f", and sent ARP requests for each other ({counts}), but got no answer"
         yield Finding("client isolation", tuple(idle), text)
         return
+    if len(idle) > 1:  # so there are other nodes
+        yield Finding.of("peers at a router", idle, sorted({*routers}))
+        return
     yield from idle.values()
 
 

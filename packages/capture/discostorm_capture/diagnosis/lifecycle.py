@@ -186,6 +186,18 @@ def hanging_processes(evidence: Evidence) -> Iterator[Finding]:
             yield Finding(kind, (host,), say("hangs", host, said[-1], count))
 
 
+def unread_sessions(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts where a program long reads nothing from a Zenoh session."""
+    obs, texts = evidence.obs, dict[str, list[str]]()
+    links = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
+    for _, host, sender, milliseconds, begin in obs.event_tuples("full window"):
+        if (sender, host) in links and milliseconds >= 1e3 * LIMITS.min_wait:
+            text = say("reads nothing", host, sender, begin, begin + milliseconds / 1e3)
+            texts.setdefault(host, []).append(text)
+    for host, said in texts.items():
+        yield Finding("reads nothing", (host,), "; ".join(said))
+
+
 def absent_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that sent nothing for a while, although others kept sending to them."""
     obs, (first, last) = evidence.obs, evidence.obs.first_last

@@ -16,21 +16,32 @@ from discostorm_capture.sentences import join_names, say
 
 def repeated_multicast(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that send user samples by multicast, and many of them again by unicast."""
-    obs, data = evidence.obs, evidence.obs.isin("kind", "User data")
+    obs, lossy = evidence.obs, dict[str, tuple[int, int]]()
+    data = obs.isin("kind", "User data") & obs["multicast"]
     asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0)
     asks |= obs.isin("submessage", "NACK_FRAG")
-    for host in obs.messages["sender"][data & obs["multicast"]].unique():
-        to_all = int((data & obs["multicast"] & obs.isin("sender", host)).sum())
+    for host in obs.messages["sender"][data].unique():
+        to_all = int((data & obs.isin("sender", host)).sum())
         again = int((asks & obs.isin("receiver", host)).sum())
         if again >= max(LIMITS.min_messages, LIMITS.min_repaired_share * to_all):
-            yield Finding.of("data by multicast", (host,), to_all, again)
+            lossy[str(host)] = to_all, again
+    hosts = sorted(lossy, key=lossy.__getitem__, reverse=True)
+    if hosts:
+        flows = obs.rows_by(data, obs.sender_index, obs["writer"])
+        largest = max(flows, key=lambda key: obs["bytes"][flows[key]].sum())
+        ends = evidence.endpoints.set_index(["index", "entity"])["topic"]
+        said = [say("data by multicast", host, *lossy[host]) for host in hosts]
+        named = [
+            f"most bytes are of {ros_topic(topic)}" for topic in ends.reindex([largest]).dropna()
+        ]
+        yield Finding("data by multicast", tuple(hosts), "; ".join(said + named))
 
 
 def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
     """Yield the host with the largest stream, if samples by multicast or unicast fill a channel."""
     obs, ends, sender = evidence.obs, evidence.endpoints, evidence.obs.messages["sender"].cat
     seconds = obs["airtime_s"] * obs["user"] * ~obs.isin("submessage", "ACKNACK")
-    lossy = {one.hosts for one in repeated_multicast(evidence)}
+    lossy = {host for one in repeated_multicast(evidence) for host in one.hosts}
     # A link that loses or delays frames may be slower than the channel.
     slow = [one for one in losses.frame_loss(evidence) if one.about == "fleet"]
     slow = slow or [*losses.late_deliveries(evidence)]
@@ -63,7 +74,7 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
         shares = [wording.percent(one / obs.end) for one in airtimes]
         lasts = len(np.unique(obs.time[flows[keys[0]]].astype(np.int64)))
         most = not slow or cast or slows or 2 * airtimes[0] >= airtimes[1]
-        if lasts >= LIMITS.min_stream_seconds and hosts not in lossy and most:
+        if lasts >= LIMITS.min_stream_seconds and not lossy & {*hosts} and most:
             signs = [one.evidence for one in slow]
             named = [*topic.map(ros_topic)] or ["the largest stream"]
             to = f" to {join_names(readers)}" if len(readers) else ""

@@ -339,6 +339,8 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
             text += say("behind router", behind)
         if kind in ("transports differ", "no hashes"):  # of one host, on all these topics
             hosts = hosts.intersection(*texts.values()) or hosts
+        if kind == "no hashes" and hosts <= evidence.obs.server_hosts:
+            kind = "no hashes behind"
         yield Finding(kind, tuple(sorted(hosts)), text)
 
 
