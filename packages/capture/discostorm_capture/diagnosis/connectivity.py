@@ -159,7 +159,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
 def unreachable_locators(evidence: Evidence) -> Iterator[Finding]:
     """Yield Zenoh hosts that others first call in vain at further addresses that they announce."""
     obs, vain = evidence.obs, dict[str, str]()
-    links, failed = (obs.event_tuples(kind) for kind in ("connection", "unanswered"))
+    links, failed = obs.event_tuples("connection", "exchange"), obs.event_tuples("unanswered")
     for host, processes in obs.processes_by_host(np.flatnonzero(~obs.is_rtps).tolist()).items():
         announced = {*" ".join(obs.processes["announces"].iloc[processes]).split()}
         calls = {row[2]: row[4] for row in failed if row[2] in {host, *announced}}

@@ -109,7 +109,7 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
         # A server's number determines its id.
         own = np.isin(obs.sender_index, obs.sender_index[obs.isin("sender", host)])
         alike = obs.messages["sender"][own & (obs.sender_index >= 0)].unique()
-        if len(alike) > 1:
+        if not {*alike} <= obs.announced_addresses:
             twins.setdefault(tuple(sorted(alike)), []).append(f"{caller} ({count} times)")
         else:
             findings.append(Finding.of("server number", (caller,), host, count))
