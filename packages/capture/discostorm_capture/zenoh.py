@@ -35,7 +35,7 @@ _ACK, _CONTROL, _RETRANSMISSION = range(3)
 _ROUTER, _UNKNOWN_ROLE = 0, 3
 _ROLES = ("router", "peer", "client")
 _code_of = zenoh_messages.MESSAGE_NAMES.index
-_HELLO, _TOKEN, _PUSH = map(_code_of, ("Hello", "DeclareToken", "Push"))
+_HELLO, _TOKEN, _PUSH, _CLOSE = map(_code_of, ("Hello", "DeclareToken", "Push", "Close"))
 _KEY_EXPRESSION = _code_of("DeclareKeyExpr")
 #: Codes of declarations of endpoints. A DeclareToken also declares one if it names one of ROS 2.
 _ENDPOINT_CODES = [*map(_code_of, ("DeclareSubscriber", "DeclareQueryable"))]
@@ -213,6 +213,8 @@ def _dissect_tcp_sessions(data: Bytes, streams: tcp.Streams, seen: _Roster) -> l
     cost_end, cost_begin = (_count_segments(content, table, at) for at in (parsed["end"], begin))
     done, frames = content.parts["done"][part], cost_end - cost_begin
     sizes = {"bytes": parsed["end"] - begin, "frames": frames, "missing": ~table["arrived"][done]}
+    # The number of a Close is its reason.
+    sizes["number"] = np.where(parsed["code"] == _CLOSE, content.data[parsed["at"] + 1], 0)
     messages = message_table(table, done, ZENOH, parsed["code"], **sizes)
     tables = _add_fragments(content.data, parsed, messages, streams.opposite, seen)
     return [*tables, _tcp_segments(content, table, chosen)]

@@ -104,7 +104,7 @@ def test_a_missing_host_that_asks_for_an_address_in_vain_is_told_with_it() -> No
     capture = ds.read_capture(Path(__file__).with_name("captures") / "router_moved.pcap.xz")
     (event,) = capture.diagnosis().findings
     assert (event.kind, event.about, event.hosts) == ("wrong server", "event", ("10.77.0.3",))
-    assert "10.77.0.3 sent nothing but 6 ARP requests for 10.77.0.200" in event.evidence
+    assert "10.77.0.3 announced nothing, but sent 6 ARP requests for 10.77.0.200" in event.evidence
     first = capture.diagnosis(HOSTS).findings[0]
     assert (first.kind, first.hosts) == ("missing, wrong address", ("10.77.0.3",))
     assert "10.77.0.3 asked for 10.77.0.200 by ARP, and got no answer" in first.evidence

@@ -282,6 +282,18 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "Run the same ROS 2 distribution on all hosts",
         ),
         (
+            "isolated_peers_by_tcp",  # an access point that answers ARP requests for its clients
+            "the access point isolates its clients from each other (client isolation)",
+            "have sessions only with 10.77.0.101, and called each other by TCP or ARP",
+            "Turn off client isolation",
+        ),
+        (
+            "router_session_limit",
+            "a router rejects the Zenoh sessions of 10.77.0.6 and 10.77.0.7 and accepts others",
+            "10.77.0.6 opened 5 connections to port 7447 on 10.77.0.101, and each was closed",
+            "raise transport/unicast/max_sessions",
+        ),
+        (
             "peers_of_one_remote_router",
             "10.77.0.2, 10.77.0.5, 10.77.0.1, 10.77.0.4 and 10.77.0.3 are peers whose router is on",
             "have sessions only with 10.77.0.101, which declared nothing to them",
@@ -575,6 +587,11 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
             "let it send to another topic or domain",
         ),
         (
+            "router_calls_nobody",  # and its host is called by SSH
+            "10.77.0.3 looks for a server or router at an address that no host has, while other",
+            "On 10.77.0.3, correct the address of the server, router or peer",
+        ),
+        (
             "script_in_parallel_loops",
             "A process on 10.77.0.5 keeps exiting cleanly and starting again.",
             "such as a script that runs `ros2` commands in a loop, and replace it by one node",
@@ -609,7 +626,7 @@ def test_what_may_be_meant_is_said_above_a_healthy_fleet(
             "isolated_zenoh_peers",
             "client isolation",
             "10.77.0.4",
-            "have sessions only with 10.77.0.101, and sent ARP requests for each other",
+            "have sessions only with 10.77.0.101, and called each other by TCP or ARP",
             "Turn off client isolation (AP isolation)",
         ),
         (
@@ -750,6 +767,12 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
             "complete, but not healthy: a process on 10.77.0.2 pauses again and again",
             "10.77.0.2 went silent 6 times for 1.5 s to 3.1 s, while others",
             "On 10.77.0.2, run `top`",
+        ),
+        (
+            "weak_link_of_one_of_five",  # over all hosts, little is lost
+            "complete, but not healthy: many frames to and from 10.77.0.3 are lost, as on a weak",
+            "17 of 2271 captured frames with samples or TCP segments were requested again",
+            "Check the radio link of 10.77.0.3",
         ),
         (
             "weak_wifi",  # 30% of the packets to and from host 3 are dropped
@@ -1249,6 +1272,12 @@ def test_senders_by_multicast_are_ranked_and_the_largest_topic_is_named() -> Non
     first = diagnosis("three_send_by_multicast").findings[0]
     assert (first.kind, first.hosts[0], len(first.hosts)) == ("data by multicast", "10.77.0.1", 3)
     assert first.evidence.endswith("most bytes are of /robot1/camera/image_raw")
+
+
+def test_downloads_beside_an_old_session_are_no_rejected_sessions() -> None:
+    found = diagnosis("healthy_downloads_seen_late")
+    kinds = {one.kind for one in found.findings}
+    assert (found.wrong, kinds) == ((), {"capture began late", "view of one host"})
 
 
 def test_a_router_that_refuses_a_session_has_not_left() -> None:

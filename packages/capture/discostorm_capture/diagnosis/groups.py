@@ -1,6 +1,6 @@
 """Findings about how hosts search for each other: domains, groups, peers and ports."""
 
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 from itertools import chain, combinations, permutations
 
@@ -136,12 +136,14 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
         if seen and others <= obs.servers and not declared:
             (host,), routers = obs.hosts_of([peer]), obs.hosts_of(others)
             idle[host] = Finding.of("peer at a router", (host,), routers)
-    vain = {pair: len(times) for pair, times in obs.unanswered_arp.items() if {*pair} <= {*idle}}
-    often = max(vain.values(), default=0) >= LIMITS.min_unanswered
+    calls = Counter(row[1:3] for row in obs.event_tuples("unanswered"))
+    calls.update({pair: len(times) for pair, times in obs.unanswered_arp.items()})
+    vain = {pair: count for pair, count in calls.items() if {*pair} <= {*idle}}
+    often = sum(vain.values()) >= LIMITS.min_unanswered
     if often and len({frozenset(pair) for pair in vain}) == len(idle) * (len(idle) - 1) // 2:
         text = f"{join_names([*idle])} have sessions only with {join_names(routers)}"
         counts = join_names([f"{one} for {other}: {n}" for (one, other), n in vain.items()])
-        text += f", and sent ARP requests for each other ({counts}), but got no answer"
+        text += f", and called each other by TCP or ARP ({counts}), but got no answer"
         yield Finding("client isolation", tuple(idle), text)
         return
     if len(idle) > 1:  # so there are other nodes

@@ -297,10 +297,9 @@ def addresses_without_arp_reply(evidence: Evidence) -> Iterator[Finding]:
     there = {*obs.host_first_last, *arp, *obs.announced_addresses}
     requests: dict[str, dict[str, int]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
-        by_it = obs.network_events.query(
-            "sender == @asker and kind not in ['other traffic', 'MAC']"
-        )
-        idle = asker not in obs.host_first_last and by_it["receiver"].eq(target).all()
+        # Others may call it, for example by SSH.
+        calls = obs.events("ARP request", "connection").query("sender == @asker")
+        idle = asker not in obs.host_first_last and calls["receiver"].eq(target).all()
         often = len(times) >= LIMITS.min_requests and np.ptp(times) >= LIMITS.timeout
         used = obs.subnet_neighbors(asker, obs.hosts_of(sorted(obs.servers)))
         if idle and often and used and target not in there:

@@ -96,7 +96,10 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     *both, ends, total, when = find_losses(evidence)
     limits = zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True)
     counts = [(*count, *limit) for count, limit in limits if count[0] >= limit[0]]
-    if not any(_wilson_ci(lost, sent)[0] >= some for lost, sent, _, some, _ in counts):
+    often = [of for of in ends if ends[of] >= LIMITS.min_repeats]
+    if not any(_wilson_ci(lost, sent)[0] >= some for lost, sent, _, some, _ in counts) and not any(
+        _wilson_ci(ends[of], total[of])[0] >= LIMITS.min_weak_share for of in often
+    ):
         return
     heavy = any(lost > many * sent for lost, sent, *_, many in counts)
     again, sent = np.sum(both, axis=0).tolist()

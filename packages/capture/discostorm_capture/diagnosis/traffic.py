@@ -26,6 +26,8 @@ FIRST_USER_PORT = 1024
 #: Headers of IPv4 with TCP and with UDP; the size of fragments; the smallest packet that an MTU can
 #: drop, because every IPv4 network passes 576 bytes (RFC 791) [B].
 TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
+#: The reason of a Close by a Zenoh router with too many sessions, and some other reasons.
+_CLOSE_INVALID = 2
 
 
 def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
@@ -227,21 +229,23 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             yield Finding.of("no way back", (caller,), host, count, port)
     without_session: dict[str, list[str]] = {}
     closed: dict[str, list[str]] = {}
+    limited: dict[str, str] = {}
     spoke = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
     opened = obs.links_of(obs.messages[obs.isin("submessage", "OpenAck")])
     arrived = obs.links_of(obs.events("arrived"))
+    began = obs.links_of(obs.messages[obs.isin("submessage", "InitSyn")])
     for (caller, host, port), begins in tries.items():
         few = (count := len(begins)) < LIMITS.min_calls and np.ptp(begins) < LIMITS.max_pause
         if few or {(caller, host), (host, caller)} & opened:
             continue
         text = f"{caller} opened {count} connections to port {port} on {host}, and "
-        if (caller, host) in spoke and host not in {one for one, _ in spoke}:
+        if (caller, host) in began and host not in {one for one, _ in spoke}:
             if (host, caller) not in arrived:
                 closed.setdefault(host, []).append(f"{count} from {caller} to port {port}")
             else:
                 text += "sent unencrypted Zenoh messages, to which no Zenoh came back, as from TLS"
                 yield Finding("wrong port", (caller,), text)
-        elif (caller, host) in spoke:
+        elif (caller, host) in began:
             text += "each was closed before a session began"
             kind, versions = "session refused", obs.processes["version"]
             old, new = ({*versions[obs.process_host == end]} - {0} for end in (caller, host))
@@ -250,7 +254,12 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
                 ends = max(old), max(new, default=newest)
                 kind, said = "different releases", "both versions" if new else "old version"
                 text += say(said, *ends)
-            yield Finding(kind, (caller,), text)
+            closes = obs.isin("kind", "Close") & obs.isin("sender", host)
+            closes &= obs.isin("receiver", caller) & (obs.seq == _CLOSE_INVALID)
+            if kind == "session refused" and closes.any() and host in {*chain(*opened)}:
+                limited[caller] = text
+            else:
+                yield Finding(kind, (caller,), text)
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
             if (caller, host) in arrived:  # else it only checks whether the port is open
                 text += say("no plain Zenoh")
@@ -265,6 +274,8 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
                 yield Finding.of("TLS client", (caller,), host, count, good)
             else:
                 without_session.setdefault(host, []).append(f"{count} from {caller} to port {port}")
+    if limited:
+        yield Finding("session limit", tuple(limited), "; ".join(limited.values()))
     for host, texts in closed.items():
         yield Finding.of("no router behind", (host,), texts)
     for host, texts in without_session.items():
