@@ -284,7 +284,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "isolated_peers_by_tcp",  # an access point that answers ARP requests for its clients
             "the access point isolates its clients from each other (client isolation)",
-            "have sessions only with 10.77.0.101, and called each other by TCP or ARP",
+            "have sessions only with 10.77.0.101, and sent each other connection or ARP req",
             "Turn off client isolation",
         ),
         (
@@ -626,7 +626,7 @@ def test_what_may_be_meant_is_said_above_a_healthy_fleet(
             "isolated_zenoh_peers",
             "client isolation",
             "10.77.0.4",
-            "have sessions only with 10.77.0.101, and called each other by TCP or ARP",
+            "have sessions only with 10.77.0.101, and sent each other connection or ARP req",
             "Turn off client isolation (AP isolation)",
         ),
         (

@@ -1065,28 +1065,29 @@ def test_long_runs_are_estimated_by_how_long_they_are() -> None:
 
 
 def test_estimates_are_right_to_an_order_of_magnitude() -> None:
-    """In processor time of the thread; of three runs the fastest, as others use the caches, too."""
+    """In processor time of the thread; of up to ten runs the fastest, as others use the caches."""
     channel = ds.WIFI["802.11ac 80 MHz 2x2"]
     turtlebot = robots()["TurtleBot 4 with Nav2"]
-    fleets = {
-        "small": ds.Fleet.swarm(12, 2, 10),
-        "medium": ds.Fleet((replace(turtlebot, hosts=2),)),
-        "large": ds.Fleet((replace(turtlebot, hosts=4),)),
-    }
+    fleets = (
+        ds.Fleet.swarm(12, 2, 10),
+        ds.Fleet((replace(turtlebot, hosts=2),)),
+        ds.Fleet((replace(turtlebot, hosts=4),)),
+    )
+    protocol = ds.PROTOCOLS["Fast DDS 3.6"]
+    setups = [plan(one, protocol, channel, recovery=True, until=60.0) for one in fleets]
     small()  # loads the engine
-    ratios = {}
-    for name, fleet in fleets.items():
-        what = plan(fleet, ds.PROTOCOLS["Fast DDS 3.6"], channel, recovery=True, until=60.0)
-        took = []
-        for _ in range(3):
+    ratios = np.full(len(setups), np.inf)
+    for _ in range(10):
+        for index, what in enumerate(setups):
             began = time.thread_time()
             simulate_run(what, np.random.SeedSequence(0))
-            took.append(time.thread_time() - began)
-        ratios[name] = min(took) / what.estimate()[0]
-    assert 0.1 < ratios["large"] < 10
-    # A busy machine slows all of them down.
-    for name, ratio in ratios.items():
-        assert 0.1 < ratio / ratios["large"] < 10, name
+            took = time.thread_time() - began
+            ratios[index] = min(ratios[index], took / what.estimate()[0])
+        # A busy machine slows all of them down.
+        alike = (ratios / ratios[-1] > 0.1) & (ratios / ratios[-1] < 10)
+        if alike.all() and 0.1 < ratios[-1] < 10:
+            return
+    pytest.fail(f"measured times are {ratios} of those estimated")
 
 
 def test_what_does_not_fit_the_memory_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

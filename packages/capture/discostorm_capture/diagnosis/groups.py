@@ -143,7 +143,7 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
     if often and len({frozenset(pair) for pair in vain}) == len(idle) * (len(idle) - 1) // 2:
         text = f"{join_names([*idle])} have sessions only with {join_names(routers)}"
         counts = join_names([f"{one} for {other}: {n}" for (one, other), n in vain.items()])
-        text += f", and called each other by TCP or ARP ({counts}), but got no answer"
+        text += f", and sent each other connection or ARP requests ({counts}), but got no answer"
         yield Finding("client isolation", tuple(idle), text)
         return
     if len(idle) > 1:  # so there are other nodes

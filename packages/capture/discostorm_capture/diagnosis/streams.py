@@ -28,13 +28,12 @@ def repeated_multicast(evidence: Evidence) -> Iterator[Finding]:
     hosts = sorted(lossy, key=lossy.__getitem__, reverse=True)
     if hosts:
         flows = obs.rows_by(data, obs.sender_index, obs["writer"])
-        largest = max(flows, key=lambda key: obs["bytes"][flows[key]].sum())
-        ends = evidence.endpoints.set_index(["index", "entity"])["topic"]
+        process, writer = max(flows, key=lambda key: obs["bytes"][flows[key]].sum())
+        ends = evidence.endpoints
+        topics = ends["topic"][ends["index"].eq(process) & ends["entity"].eq(writer)].dropna()
         said = [say("data by multicast", host, *lossy[host]) for host in hosts]
-        named = [
-            f"most bytes are of {ros_topic(topic)}" for topic in ends.reindex([largest]).dropna()
-        ]
-        yield Finding("data by multicast", tuple(hosts), "; ".join(said + named))
+        said += [f"most bytes are of {ros_topic(topic)}" for topic in topics[:1]]
+        yield Finding("data by multicast", tuple(hosts), "; ".join(said))
 
 
 def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
@@ -101,16 +100,16 @@ def copies_to_other_addresses(evidence: Evidence) -> Iterator[Finding]:
 def broken_off_samples(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts on whose Zenoh sessions the sender breaks off large samples again and again."""
     obs, ends = evidence.obs, evidence.endpoints
-    breaks = obs.isin("kind", "Fragment") & obs["holes"]
-    rows = obs.rows_by(breaks, obs.sender_index, obs.receiver_index)
-    for pair, of in rows.items():
-        if len(np.unique(obs.time[of].astype(np.int64))) >= LIMITS.min_stream_seconds:
-            sender, receiver = (str(obs.process_host[one]) for one in pair)
+    routers = {*obs.hosts_of(sorted(obs.servers))}
+    breaks = obs.messages[obs.isin("kind", "Fragment") & obs["holes"]]
+    for pair, rows in breaks.groupby(["sender", "receiver"], observed=True)["time"]:
+        if rows.astype(np.int64).nunique() >= LIMITS.min_stream_seconds:
+            sender, receiver = map(str, pair)
             # The slow link is rarely that of the router.
-            host = receiver if pair[0] in obs.servers and pair[1] not in obs.servers else sender
+            host = receiver if sender in routers and receiver not in routers else sender
             own = ends["host"].eq(sender) & ends["writer"].eq(other=True)
             named = ends["topic"][own].map(ros_topic).unique()
-            text = say("breaks off", sender, len(of), receiver)
+            text = say("breaks off", sender, len(rows), receiver)
             text += f"; it publishes {join_names(named)}" if len(named) else ""
             yield Finding("breaks off", (host,), text)
 
