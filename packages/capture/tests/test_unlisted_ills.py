@@ -294,6 +294,18 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "raise transport/unicast/max_sessions",
         ),
         (
+            "router_forwards_nothing",
+            "the Zenoh router on 10.77.0.101 forwards nothing between its clients, as with",
+            "10.77.0.101 on different hosts publish and read /odom and /pose, but it sent them",
+            "On 10.77.0.101, look at access_control in the router's Zenoh configuration",
+        ),
+        (
+            "routers_apart_on_loopback",  # two hosts exchange packets, and either may have recorded
+            "the Zenoh router on 127.0.0.1 (the recording host) has sessions only with programs on",
+            "but its router exchanged Zenoh messages only with itself (127.0.0.1)",
+            "Name the router of another host in connect/endpoints",
+        ),
+        (
             "peers_of_one_remote_router",
             "10.77.0.2, 10.77.0.5, 10.77.0.1, 10.77.0.4 and 10.77.0.3 are peers whose router is on",
             "have sessions only with 10.77.0.101, which declared nothing to them",
@@ -1272,6 +1284,23 @@ def test_senders_by_multicast_are_ranked_and_the_largest_topic_is_named() -> Non
     first = diagnosis("three_send_by_multicast").findings[0]
     assert (first.kind, first.hosts[0], len(first.hosts)) == ("data by multicast", "10.77.0.1", 3)
     assert first.evidence.endswith("most bytes are of /robot1/camera/image_raw")
+
+
+def test_programs_that_broadcast_much_are_an_event() -> None:
+    seen = ds.read_capture(STAGED / "healthy_dual_stack.pcap.xz")
+    events = seen._network_events.astype({"kind": str, "sender": str, "receiver": str})
+    own = {"kind": "other traffic", "sender": "10.77.0.1", "receiver": "10.77.0.255"}
+    sent = events.iloc[[0]].assign(**own, port=4_000_000)
+    found = replace(seen, _network_events=pd.concat([events, sent])).diagnosis()
+    (event,) = found.findings
+    assert (found.healthy, event.kind, event.hosts) == (True, "much broadcast", ("10.77.0.1",))
+    assert "Mbit/s to 10.77.0.255" in event.evidence
+    assert "for MAVROS, set gcs_url to udp:// with an address" in event.advice
+
+
+def test_few_losses_of_few_frames_are_no_slow_link() -> None:
+    found = diagnosis("healthy_camera_with_few_losses")
+    assert (found.healthy, found.findings[0].kind) == (True, "some loss")
 
 
 def test_downloads_beside_an_old_session_are_no_rejected_sessions() -> None:

@@ -128,8 +128,10 @@ def loopback_only(evidence: Evidence) -> Iterator[Finding]:
     for kind, chosen in kinds.items():
         count = int((local & chosen).sum())
         # DDS may stay on a host whose bridge speaks Zenoh with the others.
-        if count and len(common) == 1 and not common & {*obs.process_host[~local]}:
-            yield Finding.of(kind, sorted(common), count)
+        if count and 0 < len(common) < 3 and not common & {*obs.process_host[~local]}:
+            # Of two hosts that exchange packets, either may have recorded them.
+            hosts = sorted(common) if len(common) == 1 else sorted({*obs.process_host[local]})
+            yield Finding.of(kind, hosts, count)
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:

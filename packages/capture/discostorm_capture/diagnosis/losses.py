@@ -122,7 +122,7 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     # Little loss is normal on Wi-Fi, unless it delays discovery.
     normal = _wilson_ci(again, sent)[0] <= LIMITS.max_healthy_loss
     normal &= not [*evidence.incomplete_pairs, *multicast_loss(evidence)]
-    kind = "heavy loss" if heavy else "some loss" if normal else "loss"
+    kind = "some loss" if normal else "heavy loss" if heavy else "loss"
     if beyond := one_way_loss(evidence):
         yield Finding("loss one way", beyond, say("one way loss", text, beyond))
         return
@@ -264,6 +264,18 @@ def _crowded_link(obs: Observations, text: str) -> Finding | None:
     if host not in obs.host_first_last and not to_all:  # a download, perhaps from another network
         host = host if obs.subnet_neighbors(host, [*obs.host_first_last]) else to
     return Finding(CROWDED[host not in obs.host_first_last], (host,), text)
+
+
+def much_broadcast(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts on which other programs broadcast much, although few frames are lost."""
+    sent, seconds = evidence.obs.events("other traffic"), max(evidence.obs.end, LIMITS.timeout)
+    cast = sent[sent["receiver"].astype(str).str.endswith(".255")]
+    total = sent["port"].sum() + evidence.obs["bytes"].sum()
+    rate, share = 8 * cast["port"].sum() / seconds, LIMITS.min_broadcast_share
+    # Wi-Fi sends it at the lowest rate, and most programs in small packets.
+    if cast["port"].sum() >= share * total and rate >= share * LIMITS.slow_stream_rate:
+        text = say("broadcasts", f"{1e-6 * rate:.2g} Mbit/s", cast["receiver"].unique())
+        yield Finding("much broadcast", tuple(map(str, cast["sender"].unique())), text)
 
 
 def multicast_loss(evidence: Evidence) -> Iterator[Finding]:

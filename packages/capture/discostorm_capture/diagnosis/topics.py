@@ -390,6 +390,12 @@ def silent_routers(evidence: Evidence) -> Iterator[Finding]:
     )
     routers = [one for one in sorted(obs.servers & heard - told) if not obs.is_rtps[one]]
     lasts = [one for one in routers if obs.end - obs.first_last[0][one] >= LIMITS.timeout]
+    clients = ends[obs.processes["product"].eq("Zenoh client").to_numpy()[ends["index"]]]
+    pairs = clients.groupby("topic")[["host", "writer"]].nunique().gt(1).all(axis=1)
+    if pairs.any() and not obs.servers & told:
+        names = [*map(ros_topic, pairs.index[pairs])]
+        for host in obs.hosts_of(lasts):
+            yield Finding.of("router forwards nothing", (host,), names)
     if len(reads) and len(obs.servers & told) > 1:
         names = sorted({*reads["topic"].map(ros_topic)})
         for host in obs.hosts_of(lasts):
