@@ -80,6 +80,7 @@ def _fill_rtps(obs: Observations, reach: Reachability) -> None:
     _set_cells(reach.unicast_ok, by, of, confirms)
     # Skip handshakes, which may fail for other reasons, and empty Heartbeats, which get no answer.
     asks = obs.isin("submessage", "HEARTBEAT", "DATA") & ~obs.isin("kind", "SPDP", HANDSHAKE)
+    asks &= obs["user"] == 0  # a best-effort reader answers nothing
     _set_cells(reach.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.seq > 0))
     # Expect no confirmations between hosts with and without DDS Security.
     secured_hosts = obs.hosts_of(obs.secured_processes)
