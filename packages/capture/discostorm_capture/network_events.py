@@ -29,8 +29,6 @@ _ECHO_REPLY, _ECHO_REQUEST = 0, 8
 _PROHIBITED_CODES = (9, 10, 13)
 #: A segment has vanished after this many transmissions without an acknowledgement.
 _MIN_TRANSMISSIONS = 3
-#: A receive window stays full for this time if the program does not read [s].
-_MIN_FULL_TIME = 1.0
 _DNS_PORT, _DNS_HEADER_BYTES = 53, 12
 #: The delays of a stream, and of pings, are compared if there are so many.
 _MIN_DELAYS, _MIN_ECHOES = 50, 10
@@ -115,17 +113,15 @@ def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
 
 
 def full_windows(streams: tcp.Streams, since: Array) -> Columns:
-    """Return one event for each time that a sender of segments long takes no data (RFC 9293)."""
+    """Return one event for each time in which a sender of segments takes no data (RFC 9293)."""
     table = streams.segments
     full = (table["window"] == 0) & (table["flags"] & (tcp.SYN | tcp.FIN | tcp.RST) == 0)
     changes = np.diff(full, prepend=False) | (np.diff(table["stream"], prepend=-1) != 0)
     rows = np.flatnonzero(full)
     _, first, count = np.unique(np.cumsum(changes)[rows], return_index=True, return_counts=True)
     time, last = since[table["frame"][rows]], first + count - 1
-    lasts = 1e3 * (time[last] - time[first])
-    long = lasts >= 1e3 * _MIN_FULL_TIME
-    events = _events_of_rows(_FULL_WINDOW, table, rows[first[long]])
-    return events | {"port": lasts[long].astype(np.int64)}
+    lasts = (1e3 * (time[last] - time[first])).astype(np.int64)
+    return _events_of_rows(_FULL_WINDOW, table, rows[first]) | {"port": lasts}
 
 
 def acknowledgement_jitter(streams: tcp.Streams, since: Array) -> Columns:

@@ -1303,6 +1303,12 @@ def test_few_losses_of_few_frames_are_no_slow_link() -> None:
     assert (found.healthy, found.findings[0].kind) == (True, "some loss")
 
 
+def test_a_best_effort_reader_that_answers_no_samples_is_not_behind_a_firewall() -> None:
+    found = diagnosis("healthy_best_effort_seen_late")  # the endpoints were announced before
+    assert found.wrong == ()
+    assert "capture began late" in {one.kind for one in found.findings}
+
+
 def test_downloads_beside_an_old_session_are_no_rejected_sessions() -> None:
     found = diagnosis("healthy_downloads_seen_late")
     kinds = {one.kind for one in found.findings}

@@ -127,29 +127,28 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
     """Yield Zenoh peers that only have a session with a router, which declares nothing to them."""
     obs = evidence.obs
     opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
-    idle = dict[str, Finding]()
+    routers_of = dict[str, tuple[str, ...]]()
     for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
         to_it = obs.receiver_index == peer
         others, declared = obs.senders(to_it), (to_it & declares).any()
         lasts = obs.recording.recorded_time - obs.first_last[0][peer] >= LIMITS.timeout
         seen = (to_it & opened).any() and lasts
         if seen and others <= obs.servers and not declared:
-            (host,), routers = obs.hosts_of([peer]), obs.hosts_of(others)
-            idle[host] = Finding.of("peer at a router", (host,), routers)
-    calls = Counter(row[1:3] for row in obs.event_tuples("unanswered"))
-    calls.update({pair: len(times) for pair, times in obs.unanswered_arp.items()})
-    vain = {pair: count for pair, count in calls.items() if {*pair} <= {*idle}}
-    often = sum(vain.values()) >= LIMITS.min_unanswered
-    if often and len({frozenset(pair) for pair in vain}) == len(idle) * (len(idle) - 1) // 2:
-        text = f"{join_names([*idle])} have sessions only with {join_names(routers)}"
-        counts = join_names([f"{one} for {other}: {n}" for (one, other), n in vain.items()])
+            routers_of[obs.process_host[peer]] = obs.hosts_of(others)
+    hosts, routers = [*routers_of], sorted({*chain(*routers_of.values())})
+    calls = Counter(row[1:3] for row in obs.event_tuples("unanswered") if {*row[1:3]} <= {*hosts})
+    asked = {pair: len(times) for pair, times in obs.unanswered_arp.items() if {*pair} <= {*hosts}}
+    often = max(calls.total(), *asked.values(), 0) >= LIMITS.min_unanswered
+    calls.update(asked)
+    if often and len({*map(frozenset, calls)}) == len(hosts) * (len(hosts) - 1) // 2:
+        counts = join_names([f"{one} for {other}: {n}" for (one, other), n in calls.items()])
+        text = f"{join_names(hosts)} have sessions only with {join_names(routers)}"
         text += f", and sent each other connection or ARP requests ({counts}), but got no answer"
-        yield Finding("client isolation", tuple(idle), text)
-        return
-    if len(idle) > 1:  # so there are other nodes
-        yield Finding.of("peers at a router", idle, sorted({*routers}))
-        return
-    yield from idle.values()
+        yield Finding("client isolation", tuple(hosts), text)
+    elif len(hosts) > 1:  # so there are other nodes
+        yield Finding.of("peers at a router", hosts, routers)
+    else:
+        yield from (Finding.of("peer at a router", [host], routers) for host in hosts)
 
 
 def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:

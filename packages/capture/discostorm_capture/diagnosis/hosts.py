@@ -196,11 +196,11 @@ def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
         if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
-            text, closes = say("duplicate id", hosts, name), obs.isin("kind", "Close")
-            closes &= obs.isin("receiver", *hosts)
-            if (count := closes.sum()) >= LIMITS.min_calls:  # by who has a session with the other
-                text += say("closes again", obs.messages["sender"][closes].unique(), count)
-            kind = "processes with one id" if count >= LIMITS.min_calls else "duplicate id"
+            kind, text = "duplicate id", say("duplicate id", hosts, name)
+            closes = obs.messages[obs.isin("kind", "Close") & obs.isin("receiver", *hosts)]
+            if len(closes) >= LIMITS.min_calls:  # by who has a session with the other
+                kind = "processes with one id"
+                text += say("closes again", closes["sender"].unique(), len(closes))
             yield Finding(kind, tuple(hosts), text)
 
 

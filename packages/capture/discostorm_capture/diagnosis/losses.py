@@ -96,10 +96,10 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     *both, ends, total, when = find_losses(evidence)
     limits = zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True)
     counts = [(*count, *limit) for count, limit in limits if count[0] >= limit[0]]
-    often = [of for of in ends if ends[of] >= LIMITS.min_repeats]
-    if not any(_wilson_ci(lost, sent)[0] >= some for lost, sent, _, some, _ in counts) and not any(
-        _wilson_ci(ends[of], total[of])[0] >= LIMITS.min_weak_share for of in often
-    ):
+    signs = [_wilson_ci(lost, sent)[0] >= some for lost, sent, _, some, _ in counts]
+    often = [(lost, total[of]) for of, lost in ends.items() if lost >= LIMITS.min_repeats]
+    signs += [_wilson_ci(*count)[0] >= LIMITS.min_weak_share for count in often]
+    if not any(signs):
         return
     heavy = any(lost > many * sent for lost, sent, *_, many in counts)
     again, sent = np.sum(both, axis=0).tolist()
@@ -249,12 +249,8 @@ def _crowded_link(obs: Observations, text: str) -> Finding | None:
     flows, total = sent.groupby("sender", observed=True)["port"].sum(), obs["bytes"].sum()
     octets, total = int(flows.max()) if len(flows) else 0, flows.sum() + total
     if not octets or octets < LIMITS.min_other_share * total:
-        cast = sent[sent["receiver"].astype(str).str.endswith(".255")]
-        if cast["port"].sum() < LIMITS.min_broadcast_share * total or cast.empty:
-            return None
-        rate = f"{8e-6 * cast['port'].sum() / max(obs.end, LIMITS.timeout):.2g} Mbit/s"
-        said, hosts = say("broadcasts", rate, cast["receiver"].unique()), cast["sender"].unique()
-        return Finding(CROWDED[2], tuple(map(str, hosts)), f"{said}; {text}")
+        hosts, _, said = _broadcasts(obs)
+        return Finding(CROWDED[2], hosts, f"{said}; {text}") if hosts else None
     host = str(flows.idxmax())
     rate = f"{8e-6 * octets / max(obs.end, LIMITS.timeout):.2g} Mbit/s"
     own = obs.events("other traffic").query("sender == @host")
@@ -266,16 +262,23 @@ def _crowded_link(obs: Observations, text: str) -> Finding | None:
     return Finding(CROWDED[host not in obs.host_first_last], (host,), text)
 
 
+def _broadcasts(obs: Observations) -> tuple[tuple[str, ...], float, str]:
+    """Return which hosts' other programs broadcast much, how much [bit/s], and a clause, or 0."""
+    sent = obs.events("other traffic")
+    cast = sent[sent["receiver"].astype(str).str.endswith(".255")]
+    octets, total = cast["port"].sum(), sent["port"].sum() + obs["bytes"].sum()
+    if octets < LIMITS.min_broadcast_share * total or cast.empty:
+        return (), 0.0, ""
+    rate = 8 * octets / max(obs.end, LIMITS.timeout)
+    text = say("broadcasts", f"{1e-6 * rate:.2g} Mbit/s", cast["receiver"].unique())
+    return tuple(map(str, cast["sender"].unique())), rate, text
+
+
 def much_broadcast(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts on which other programs broadcast much, although few frames are lost."""
-    sent, seconds = evidence.obs.events("other traffic"), max(evidence.obs.end, LIMITS.timeout)
-    cast = sent[sent["receiver"].astype(str).str.endswith(".255")]
-    total = sent["port"].sum() + evidence.obs["bytes"].sum()
-    rate, share = 8 * cast["port"].sum() / seconds, LIMITS.min_broadcast_share
-    # Wi-Fi sends it at the lowest rate, and most programs in small packets.
-    if cast["port"].sum() >= share * total and rate >= share * LIMITS.slow_stream_rate:
-        text = say("broadcasts", f"{1e-6 * rate:.2g} Mbit/s", cast["receiver"].unique())
-        yield Finding("much broadcast", tuple(map(str, cast["sender"].unique())), text)
+    hosts, rate, text = _broadcasts(evidence.obs)
+    if rate >= LIMITS.min_broadcast_rate:
+        yield Finding("much broadcast", hosts, text)
 
 
 def multicast_loss(evidence: Evidence) -> Iterator[Finding]:

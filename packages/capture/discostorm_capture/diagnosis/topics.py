@@ -379,7 +379,7 @@ def native_names(evidence: Evidence) -> Iterator[Finding]:
 
 
 def silent_routers(evidence: Evidence) -> Iterator[Finding]:
-    """Yield Zenoh routers that tell others nothing, if topics that others read lack publishers."""
+    """Yield Zenoh routers that tell nothing: other routers, or clients that share topics."""
     obs, ends = evidence.obs, evidence.endpoints[~evidence.obs.is_rtps[evidence.endpoints["index"]]]
     wrote = {*ends["topic"][ends["writer"].eq(other=True)]}
     reads = ends[ends["writer"].eq(other=False) & ~ends["topic"].isin(wrote)]

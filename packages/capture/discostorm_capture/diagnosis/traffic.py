@@ -26,7 +26,8 @@ FIRST_USER_PORT = 1024
 #: Headers of IPv4 with TCP and with UDP; the size of fragments; the smallest packet that an MTU can
 #: drop, because every IPv4 network passes 576 bytes (RFC 791) [B].
 TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
-#: The reason of a Close by a Zenoh router with too many sessions, and some other reasons.
+#: The reason of a Close by a Zenoh router that has too many sessions, among others (zenoh-protocol,
+#: transport/close.rs, reason INVALID; staged with Zenoh 1.10.2).
 _CLOSE_INVALID = 2
 
 
@@ -227,59 +228,8 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
     for (caller, host, port), count in half.items():
         if count >= LIMITS.min_calls and (caller, host, port) not in tries:
             yield Finding.of("no way back", (caller,), host, count, port)
-    without_session: dict[str, list[str]] = {}
-    closed: dict[str, list[str]] = {}
-    limited: dict[str, str] = {}
     spoke = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
-    opened = obs.links_of(obs.messages[obs.isin("submessage", "OpenAck")])
-    arrived = obs.links_of(obs.events("arrived"))
-    began = obs.links_of(obs.messages[obs.isin("submessage", "InitSyn")])
-    for (caller, host, port), begins in tries.items():
-        few = (count := len(begins)) < LIMITS.min_calls and np.ptp(begins) < LIMITS.max_pause
-        if few or {(caller, host), (host, caller)} & opened:
-            continue
-        text = f"{caller} opened {count} connections to port {port} on {host}, and "
-        if (caller, host) in began and host not in {one for one, _ in spoke}:
-            if (host, caller) not in arrived:
-                closed.setdefault(host, []).append(f"{count} from {caller} to port {port}")
-            else:
-                text += "sent unencrypted Zenoh messages, to which no Zenoh came back, as from TLS"
-                yield Finding("wrong port", (caller,), text)
-        elif (caller, host) in began:
-            text += "each was closed before a session began"
-            kind, versions = "session refused", obs.processes["version"]
-            old, new = ({*versions[obs.process_host == end]} - {0} for end in (caller, host))
-            newest = max(READABLE_VERSIONS)
-            if old and not old & (new or {newest}):
-                ends = max(old), max(new, default=newest)
-                kind, said = "different releases", "both versions" if new else "old version"
-                text += say(said, *ends)
-            closes = obs.isin("kind", "Close") & obs.isin("sender", host)
-            closes &= obs.isin("receiver", caller) & (obs.seq == _CLOSE_INVALID)
-            if kind == "session refused" and closes.any() and host in {*chain(*opened)}:
-                limited[caller] = text
-            else:
-                yield Finding(kind, (caller,), text)
-        elif port == ZENOH_PORT and any(other == host for _, other in spoke):
-            if (caller, host) in arrived:  # else it only checks whether the port is open
-                text += say("no plain Zenoh")
-                yield Finding("wrong port", (caller,), text)
-        elif port == ZENOH_PORT and obs.messages.empty:
-            good = sorted(
-                one
-                for (one, *at), of in tries.items()
-                if at == [host, port] and len(of) < LIMITS.min_calls
-            )
-            if good:
-                yield Finding.of("TLS client", (caller,), host, count, good)
-            else:
-                without_session.setdefault(host, []).append(f"{count} from {caller} to port {port}")
-    if limited:
-        yield Finding("session limit", tuple(limited), "; ".join(limited.values()))
-    for host, texts in closed.items():
-        yield Finding.of("no router behind", (host,), texts)
-    for host, texts in without_session.items():
-        yield Finding.of("TLS fails", (host,), texts)
+    yield from _unopened_sessions(obs, tries, spoke)
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
         # Of two peers that list each other, one may refuse.
@@ -310,6 +260,64 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             elif {*kinds} == {"unanswered"} and len(asked) >= LIMITS.min_unanswered:
                 kind = "server off"
             yield Finding(kind, (host,), text)
+
+
+def _unopened_sessions(
+    obs: Observations, tries: dict[tuple[str, str, int], list[float]], spoke: set[tuple[str, str]]
+) -> Iterator[Finding]:
+    """Yield why no session began on TCP connections, given their times by caller, host and port.
+
+    `spoke` has the pairs of hosts of which the first sent the second Zenoh messages.
+    """
+    opened = obs.links_of(obs.messages[obs.isin("submessage", "OpenAck")])
+    began = obs.links_of(obs.messages[obs.isin("submessage", "InitSyn")])
+    arrived = obs.links_of(obs.events("arrived"))
+    ended: dict[tuple[str, str], list[str]] = {}
+    limited: dict[str, str] = {}
+    for (caller, host, port), begins in tries.items():
+        few = (count := len(begins)) < LIMITS.min_calls and np.ptp(begins) < LIMITS.max_pause
+        if few or {(caller, host), (host, caller)} & opened:
+            continue
+        calls = f"{count} from {caller} to port {port}"
+        text = f"{caller} opened {count} connections to port {port} on {host}, and "
+        if (caller, host) in began and host not in {one for one, _ in spoke}:
+            if (host, caller) not in arrived:
+                ended.setdefault(("no router behind", host), []).append(calls)
+            else:
+                text += "sent unencrypted Zenoh messages, to which no Zenoh came back, as from TLS"
+                yield Finding("wrong port", (caller,), text)
+        elif (caller, host) in began:
+            text += "each was closed before a session began"
+            kind, versions = "session refused", obs.processes["version"]
+            old, new = ({*versions[obs.process_host == end]} - {0} for end in (caller, host))
+            newest = max(READABLE_VERSIONS)
+            if old and not old & (new or {newest}):
+                ends = max(old), max(new, default=newest)
+                kind, said = "different releases", "both versions" if new else "old version"
+                text += say(said, *ends)
+            closes = obs.isin("kind", "Close") & obs.isin("sender", host)
+            closes &= obs.isin("receiver", caller) & (obs.seq == _CLOSE_INVALID)
+            if kind == "session refused" and closes.any() and host in {*chain(*opened)}:
+                limited[caller] = text
+            else:
+                yield Finding(kind, (caller,), text)
+        elif port == ZENOH_PORT and any(other == host for _, other in spoke):
+            if (caller, host) in arrived:  # else it only checks whether the port is open
+                yield Finding("wrong port", (caller,), text + say("no plain Zenoh"))
+        elif port == ZENOH_PORT and obs.messages.empty:
+            good = sorted(
+                one
+                for (one, *at), of in tries.items()
+                if at == [host, port] and len(of) < LIMITS.min_calls
+            )
+            if good:
+                yield Finding.of("TLS client", (caller,), host, count, good)
+            else:
+                ended.setdefault(("TLS fails", host), []).append(calls)
+    if limited:
+        yield Finding("session limit", tuple(limited), "; ".join(limited.values()))
+    for (kind, host), texts in ended.items():
+        yield Finding.of(kind, (host,), texts)
 
 
 def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
