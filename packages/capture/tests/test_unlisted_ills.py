@@ -1309,6 +1309,27 @@ def test_a_best_effort_reader_that_answers_no_samples_is_not_behind_a_firewall()
     assert "capture began late" in {one.kind for one in found.findings}
 
 
+def test_who_only_checks_whether_the_port_of_a_router_is_open_speaks_no_tls() -> None:
+    seen = ds.read_capture(STAGED / "tls_to_a_plain_router.pcap.xz")
+    events = seen._network_events
+    sent = events["kind"].eq("arrived") & events["sender"].eq("10.77.0.3")
+    assert replace(seen, _network_events=events[~sent]).diagnosis().wrong == ()
+
+
+@pytest.mark.parametrize(
+    "kind",
+    ["unanswered", "connection", "exchange"],
+)
+def test_further_addresses_harm_only_if_they_alone_are_called_in_vain(kind: str) -> None:
+    seen = ds.read_capture(STAGED / "addresses_in_vain.pcap.xz")
+    events = seen._network_events.astype({"kind": str, "sender": str, "receiver": str})
+    call = events[events["kind"].eq("unanswered")].sort_values("time").iloc[[0]]
+    call = call.assign(kind=kind, receiver="10.77.0.2", time=call["time"] + 1.0)
+    found = replace(seen, _network_events=pd.concat([events, call])).diagnosis()
+    hosts = [one.hosts for one in found.findings if one.kind == "unreachable locators"]
+    assert hosts == [("10.77.0.1", "10.77.0.3")]
+
+
 def test_downloads_beside_an_old_session_are_no_rejected_sessions() -> None:
     found = diagnosis("healthy_downloads_seen_late")
     kinds = {one.kind for one in found.findings}
