@@ -1309,6 +1309,15 @@ def test_a_best_effort_reader_that_answers_no_samples_is_not_behind_a_firewall()
     assert "capture began late" in {one.kind for one in found.findings}
 
 
+def test_a_full_window_of_another_program_is_none_of_zenoh() -> None:
+    seen = ds.read_capture(STAGED / "reader_with_full_window.pcap.xz")
+    (finding,) = seen.diagnosis().findings
+    assert finding.kind == "reads nothing"
+    events = seen._network_events
+    frames = events["frame"].where(events["kind"].ne("full window"), 10**6)
+    assert replace(seen, _network_events=events.assign(frame=frames)).diagnosis().findings == ()
+
+
 def test_who_only_checks_whether_the_port_of_a_router_is_open_speaks_no_tls() -> None:
     seen = ds.read_capture(STAGED / "tls_to_a_plain_router.pcap.xz")
     events = seen._network_events

@@ -9,7 +9,7 @@ from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.losses import find_losses
-from discostorm_capture.diagnosis.observations import Observations
+from discostorm_capture.diagnosis.observations import Observations, event_tuples
 from discostorm_capture.diagnosis.pairs import first_of_each_burst
 from discostorm_capture.endpoints import ros_topic
 from discostorm_capture.sentences import join_names, say
@@ -189,9 +189,10 @@ def hanging_processes(evidence: Evidence) -> Iterator[Finding]:
 def unread_sessions(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts where a program long reads nothing from a Zenoh session."""
     obs, texts = evidence.obs, dict[str, list[str]]()
-    links = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
-    for _, host, sender, milliseconds, begin in obs.event_tuples("full window"):
-        if (sender, host) in links and milliseconds >= 1e3 * LIMITS.min_wait:
+    full = obs.events("full window")
+    full = full[full["frame"].isin(obs["frame"])]  # not those of SSH or a download
+    for _, host, sender, milliseconds, begin in event_tuples(full):
+        if milliseconds >= 1e3 * LIMITS.min_wait:
             text = say("reads nothing", host, sender, begin, begin + milliseconds / 1e3)
             texts.setdefault(host, []).append(text)
     for host, said in texts.items():
