@@ -313,7 +313,8 @@ def test_a_transfer_of_most_bytes_is_named_where_frames_are_lost(
 
 
 def test_a_topic_that_takes_most_of_a_lossy_link_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    found = ((30, 1000), (0, 0), Counter({"10.77.0.1": 30}), Counter(), np.array([1.0]))
+    ends, total = Counter({"10.77.0.1": 30}), Counter({"10.77.0.1": 1000})
+    found = ((30, 1000), (0, 0), ends, total, np.array([1.0]))
     monkeypatch.setattr(losses, "find_losses", lambda _: found)
     capture = ds.read_capture(STAGED / "healthy_dual_stack.pcap.xz")
     rows = capture._messages
