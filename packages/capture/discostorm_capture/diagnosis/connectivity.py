@@ -215,10 +215,15 @@ def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -
         text += f", and none answered, while {join_names(unicast[0])} exchange unicast"
     elif asked := {pair: len(t) for pair, t in obs.unanswered_arp.items() if {*pair} <= {*hosts}}:
         kind, again = "client isolation", "again and again "
+        each = Counter(one for one, _ in asked)
+        heard = {*each.values()} == {len(hosts) - 1}
+        # Hosts that hear each other all ask, unless their broadcasts are dropped on the way.
+        if heard and len(each) == 1 < len(hosts) - 1:
+            kind = "unicast or ARP dropped"
         if max(asked.values()) < LIMITS.min_unanswered:  # the capture probably lost the answers
             kind, again = "capture lost part", ""
         counts = join_names([f"{one} for {other}: {n}" for (one, other), n in asked.items()])
-        text += say("asks by ARP", again, counts)
+        text += say("asks by ARP", again, counts, ", so they heard each other" * heard)
         if not again:
             text += " and no unicast, as if a third host had recorded it"
     elif settled := obs.hosts_of(sorted(obs.senders(obs.isin("kind", SEDP, HEARTBEAT)))):
@@ -239,10 +244,14 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
     """Yield hosts that receive from no other host, or reach none; then single pairs."""
     hosts, pairs = np.array(reach.hosts, object), reach.observable
     deaf = pairs & ~reach.receives
-    if (outside := _outside_largest_subnet(reach)).any():
+    if (outside := _outside_largest_subnet(obs, reach)).any():
         text = say("answers in one subnet", [*hosts[outside], *hosts[~outside]])
-        yield _other_subnet(tuple(hosts[outside]), text)
-        deaf &= outside[:, None] == outside
+        if idle := obs.subnet_neighbors(hosts[~outside][0], sorted(_idle_addresses(obs))):
+            text += say("idle address", idle)
+            yield Finding("interface apart", tuple(hosts[outside]), text)
+        else:
+            yield _other_subnet(tuple(hosts[outside]), text)
+        deaf &= (outside[:, None] == outside) & reach.receives.any(axis=1)
     several = pairs.sum(axis=1) > 1
     if obs.vantage_host in reach.hosts:  # the others have only one pair in the capture
         heard = reach.receives[:, reach.hosts.index(obs.vantage_host)]
@@ -344,7 +353,14 @@ def _describe_arp_replies(obs: Observations, host: str) -> str:
     return f"; it answered {count} ARP requests, so frames do reach it" if count else ""
 
 
-def _outside_largest_subnet(reach: Reachability) -> Array:
+def _idle_addresses(obs: Observations) -> set[str]:
+    """Return the addresses that exchange packets with known hosts, but send no messages."""
+    links = obs.links_of(obs.events("other traffic", "connection", "exchange"))
+    known = {*obs.host_first_last}
+    return {one for one, to in links if to in known and (to, one) in links} - known
+
+
+def _outside_largest_subnet(obs: Observations, reach: Reachability) -> Array:
     """Return which hosts are outside the largest subnet, if none receives across subnets."""
     for bits in (16, 24):
         subnet = Observations.subnet_numbers(reach.hosts, bits)
@@ -352,7 +368,9 @@ def _outside_largest_subnet(reach: Reachability) -> Array:
         across = reach.observable & ~within
         heard_within = not within.any() or (reach.receives & within).any()
         if across.any() and not (reach.receives & across).any() and heard_within:
-            return np.asarray(subnet != Counter(subnet.tolist()).most_common(1)[0][0])
+            sizes = Counter(subnet.tolist())
+            idle = Counter(Observations.subnet_numbers(sorted(_idle_addresses(obs)), bits).tolist())
+            return np.asarray(subnet != max(sizes, key=lambda one: (sizes[one], idle[one])))
     return np.zeros(len(reach.hosts), bool)
 
 

@@ -318,6 +318,11 @@ def unexplained_pairs(evidence: Evidence, kind: str) -> Iterator[Finding]:
     ends = dict.fromkeys(" and ".join(obs.hosts_of(sorted(pair.processes))) for pair in pairs)
     if pairs:
         hosts = obs.hosts_of(process for pair in pairs for process in pair.processes)
-        yield Finding.of(
-            kind, hosts, len(pairs), len(evidence.expected_pairs), join_names([*ends], "; ")
-        )
+        counts = len(pairs), len(evidence.expected_pairs)
+        text = say(kind, hosts, *counts, join_names([*ends], "; "))
+        apart = {frozenset(obs.hosts_of(pair.processes)) for pair in pairs}
+        secured = sorted({*hosts, *obs.hosts_of(sorted(obs.secured_processes))})
+        groups = {tuple(one for one in secured if {one, host} not in apart) for host in secured}
+        if len(groups) > 1 and sum(map(len, groups)) == len(secured):
+            text += say("certificates", join_names([*map(join_names, sorted(groups))], "; "))
+        yield Finding(kind, hosts, text)

@@ -20,7 +20,8 @@ from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
     """Yield IP addresses that two MAC addresses use at the same time."""
-    arp = evidence.obs.events("ARP request", "ARP reply", "MAC")
+    obs = evidence.obs
+    arp = obs.events("ARP request", "ARP reply", "MAC")
     seen = arp.groupby(["sender", "port"], observed=True)["frame"].agg(["count", "min", "max"])
     seen = seen[seen["count"] >= LIMITS.min_arp_packets]
     for address, macs in seen.groupby(level=0, observed=True):
@@ -31,7 +32,13 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
         at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
             names = [_format_mac(mac) for mac in macs.index.get_level_values("port")]
-            yield Finding.of("duplicate address", (str(address),), names)
+            text = say("duplicate address", address, names)
+            rows = arp[arp["sender"].eq(address) & arp["kind"].eq("MAC")].groupby("port")["frame"]
+            ends = [obs.senders(np.isin(obs["frame"], frames)) for _, frames in rows]
+            # Processes of one host send from both of its interfaces.
+            apart = sum(map(bool, ends)) > 1 and not set.intersection(*ends)
+            kind = "same address" if apart else "duplicate address"
+            yield Finding(kind, (str(address),), text + say("own processes") * apart)
 
 
 def taken_addresses(evidence: Evidence) -> Iterator[Finding]:

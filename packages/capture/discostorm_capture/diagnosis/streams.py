@@ -202,8 +202,9 @@ def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
     hosts = sorted(of for of, count in asked.items() if count >= LIMITS.min_fragment_requests)
     kinds = {one.kind for one in losses.frame_loss(evidence)}
     text = [f"{host} ({wording.count_noun(asked[host], 'time')})" for host in hosts]
-    # What a capture from the receiver contains has reached it.
-    if hosts == [obs.vantage_host] and kinds <= {"some loss"} and obs.events("incomplete").empty:
+    # What a capture from the receiver contains has reached it; its end may cut a datagram.
+    few = flows.total() <= (1 - LIMITS.min_share_of_one_host) * asked[at]
+    if hosts == [obs.vantage_host] and kinds <= {"some loss"} and few:
         yield Finding.of("full buffers", hosts, text)
     elif hosts and not kinds:
         repaired = all(_confirms_promptly(obs, host) for host in hosts)
