@@ -628,13 +628,6 @@ def test_what_may_be_meant_is_said_above_a_healthy_fleet(
     ("name", "kind", "host", "evidence", "action"),
     [
         (
-            "second_robot_same_address",  # its only ARP request shows one MAC address
-            "duplicate address",
-            "10.77.0.2",
-            "come from more than one MAC address: 02:00:00:00:00:02 and 02:00:00:00:00:03",
-            "Give each host its own address",
-        ),
-        (
             "isolated_zenoh_peers",
             "client isolation",
             "10.77.0.4",
@@ -696,6 +689,34 @@ def test_what_may_be_meant_is_said_above_a_healthy_fleet(
             "10.70.0.3",
             "only hosts in the same subnet answer each other",
             "Give all hosts addresses in one subnet",
+        ),
+        (
+            "second_robot_same_address",  # its only ARP request shows one MAC address
+            "same address",
+            "10.77.0.2",
+            "whose first and last packets are of different processes",
+            "Give each host its own address",
+        ),
+        (
+            "arp_is_filtered",  # on host 1: it hears multicast, but no ARP requests of others
+            "unicast or ARP dropped",
+            "10.77.0.1",
+            "10.77.0.1 for 10.77.0.3: 20), so they heard each other",
+            "On the access point, turn off client isolation (ap_isolate=0 in hostapd), and filters",
+        ),
+        (
+            "cyclone_only_on_usb0",  # two hosts in each subnet
+            "interface apart",
+            "192.168.186.3",
+            "the other hosts exchange packets with 10.77.0.2, too, but it announces nothing",
+            "Run `ip address` on 192.168.186.2 and 192.168.186.3",
+        ),
+        (
+            "two_keystores",
+            "not authenticated",
+            "10.77.0.3",
+            "as if each had a CA of its own: 10.77.0.1 and 10.77.0.2; 10.77.0.3",
+            "Check that the keys of these hosts come from one keystore",
         ),
         (
             "docker_proxy",
