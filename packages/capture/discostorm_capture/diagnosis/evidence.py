@@ -84,22 +84,23 @@ class Evidence:
 
 def _processes_before_capture(obs: Observations) -> set[int]:
     """Return the processes that had announced their endpoints before the capture began."""
-    # First, processes with confirmed samples that the capture lacks. Announcements that begin after
-    # sample 1 and long after the first message are not startup.
+    # First, processes with confirmed samples that the capture lacks, or has only later, sent to a
+    # newcomer. Announcements that begin after sample 1 and long after the first message are not
+    # startup.
     soon = obs.first_last[0] + LIMITS.max_startup_delay
     startup = {
-        key
+        key: obs.time[rows[0]]
         for key, rows in pairs.endpoint_announcements(obs).items()
         if obs.seq[rows].min() == 1 or obs.time[rows[0]] < soon[key[0]]
     }
     unseen = {
         subject
         for (_, subject, writer), rows in pairs.acknowledgements(obs).items()
-        if obs.seq[rows[0]] > 1 and (subject, writer) not in startup
+        if obs.seq[rows[0]] > 1 and obs.time[rows[0]] < startup.get((subject, writer), np.inf)
     }
     # Second, processes that exchange unicast without any startup message: no announcement,
     # Heartbeat, first acknowledgement or handshake.
-    starts = obs.isin("kind", SEDP, HEARTBEAT, HANDSHAKE)
+    starts = obs.isin("kind", SEDP, HEARTBEAT, HANDSHAKE) & ~obs["ends"]
     starts |= obs.isin("submessage", "ACKNACK") & (obs.seq <= 1)
     settled = obs.senders(~obs["multicast"] & obs.isin("protocol", "RTPS")) - obs.senders(starts)
     refused = obs.hosts_refused_by_all

@@ -122,7 +122,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
             confirms = acks.get((observer, subject, writer), rows[:0])
             forgotten |= set(_acknowledgement_restarts(obs, confirms).tolist())
             delivered = rows[np.isin(obs.receiver_index[rows], (observer, -1))]
-            sent += len(np.unique(obs.seq[delivered]))
+            sent += len(np.unique(obs.seq[delivered[~obs["ends"][delivered]]]))
             # A server answers a client's last request by skipping what does not concern it.
             answers = np.sort(np.append(confirms, skips.get((observer, subject, writer), rows[:0])))
             full = obs.time[answers[obs.seq[answers] > last]]
