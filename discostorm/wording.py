@@ -13,7 +13,7 @@ AGGREGATION_NOTE = (
     "This radio aggregates frames: real airtime lies between single frames and full A-MPDUs."
 )
 #: The tcpdump command that captures all discovery traffic; the chapter on captures explains it.
-TCPDUMP = "tcpdump -i wlan0 -s 0 -w {file} 'udp or ip6 or (tcp and not port 22)'"
+TCPDUMP = "tcpdump -i wlan0 -s 0 -w {file} 'not tcp port 22'"
 
 
 def below_capacity(utilization: float) -> bool:

@@ -52,7 +52,7 @@ def diagnosis(name: str) -> Diagnosis:
             "10.77.0.3 announces an address that sends no packets",
             "10.77.0.3 announces itself as 172.17.0.2",
             "If ROS 2 runs in a container there, start the container with `docker run "
-            "--network host`",
+            "--network host --ipc=host`",
         ),
         (
             "smaller_mtu",  # the bridge dropped packets of more than 1,280 bytes

@@ -128,7 +128,7 @@ def test_a_missing_host_that_asks_for_an_address_in_vain_is_told_with_it() -> No
             ("10.77.0.1", "10.77.0.2"),
             "missing, other interface",
             "172.17.0.1 seems to be another address of 10.77.0.2",
-            "Tell the middleware on 10.77.0.2 which network interface to use",
+            "Run `ip address` on 10.77.0.2, and name the interface",
         ),
         (
             "multicast_blocked_expected",  # 10.77.0.4 sent nothing at all to the recording host

@@ -109,7 +109,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "connects_to_routers_only",
             "10.77.0.1, 10.77.0.2 and 10.77.0.3 look only for a Zenoh router, and none answers",
             "by multicast for a router, but not for peers",
-            "make peers connect to each other",
+            "Or make peers connect without a router",
         ),
         (
             "expired_certificate",
@@ -151,7 +151,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "fragments_fill_memory",
             "10.77.0.2 gets only parts of large datagrams",
             "10.77.0.2 reported by ICMP that parts of datagrams did not arrive",
-            "raise net.ipv4.ipfrag_high_thresh",
+            "run `sysctl net.ipv4.ipfrag_time=3 net.ipv4.ipfrag_high_thresh",
         ),
         (
             "slow_session_closed",

@@ -104,6 +104,9 @@ def _processes_before_capture(obs: Observations) -> set[int]:
     starts |= obs.isin("submessage", "ACKNACK") & (obs.seq <= 1)
     settled = obs.senders(~obs["multicast"] & obs.isin("protocol", "RTPS")) - obs.senders(starts)
     refused = obs.hosts_refused_by_all
+    # Third, processes that withdraw endpoints which they never announced.
+    withdrawn, told = (obs.senders(obs.isin("kind", SEDP) & (obs["ends"] == end)) for end in (1, 0))
+    unseen |= withdrawn - told
     return unseen | {one for one in settled if obs.process_host[one] not in refused}
 
 
