@@ -1333,6 +1333,11 @@ def test_a_best_effort_reader_that_answers_no_samples_is_not_behind_a_firewall()
     assert "capture began late" in {one.kind for one in found.findings}
 
 
+def test_writers_that_need_no_confirmation_do_not_show_power_saving() -> None:
+    # It confirms the topic of one writer, which sends once a second.
+    assert diagnosis("healthy_confirms_every_second").wrong == ()
+
+
 def test_a_full_window_of_another_program_is_none_of_zenoh() -> None:
     seen = ds.read_capture(STAGED / "reader_with_full_window.pcap.xz")
     (finding,) = seen.diagnosis().findings

@@ -445,19 +445,26 @@ def _format_mac(number: int) -> str:
 
 def power_saving(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that confirm samples in evenly spaced bursts, although writers ask more often."""
-    obs, confirmed = evidence.obs, dict[str, list[float]]()
-    for _, observer, rows, asks in evidence.answered_samples:
-        if len(rows):
-            news = asks[np.diff(np.maximum.accumulate(obs.seq[asks]), prepend=1) > 0]
-            confirmed.setdefault(obs.process_host[observer], []).extend(obs.time[news].tolist())
-    beats = obs.isin("submessage", "HEARTBEAT") & ~obs["multicast"]
+    obs, confirmed, beats = evidence.obs, dict[str, list[float]](), dict[str, list[float]]()
+    beat = obs.isin("submessage", "HEARTBEAT") & ~obs["multicast"]
+    asked_by = obs.rows_by(beat, obs.sender_index, obs["writer"])
+    for subject, observer, rows, asks in evidence.answered_samples:
+        host = obs.process_host[observer]
+        news = asks[np.diff(np.maximum.accumulate(obs.seq[asks]), prepend=1) > 0]
+        # Most samples of other writers need no confirmation.
+        if len(rows) and len(news) >= LIMITS.min_bursts:
+            confirmed.setdefault(host, []).extend(obs.time[news].tolist())
+            own = asked_by.get((subject, int(obs["writer"][rows[0]])), rows[:0])
+            beats.setdefault(host, []).extend(
+                obs.time[own[obs.isin("receiver", host)[own]]].tolist()
+            )
     for host, times in confirmed.items():
         bursts = _burst_times(np.array(times))
         gaps = np.diff(bursts)
         if len(gaps) < LIMITS.min_bursts or (period := float(np.median(gaps))) < LIMITS.min_sleep:
             continue
         steady = (np.abs(gaps - period) < 0.1 * period).mean() >= LIMITS.min_steady_share
-        asked = obs.time[beats & obs.isin("receiver", host)]
+        asked = np.array(beats[host])
         asked = _burst_times(asked[(asked >= bursts[0]) & (asked <= bursts[-1])])
         if steady and len(asked) > 2 * len(bursts):
             yield Finding.of("power saving", (host,), len(bursts), period, len(asked))
