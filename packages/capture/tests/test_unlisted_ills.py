@@ -662,7 +662,7 @@ def test_what_may_be_meant_is_said_above_a_healthy_fleet(
             "fair_wifi_isolation",  # one host asks for one other by ARP
             "client isolation",
             "10.77.0.4",
-            "(10.77.0.4 for 10.77.0.1: 18)",
+            "(10.77.0.4 for 10.77.0.1: 18), but the capture contains no answer",
             "Turn off client isolation (AP isolation)",
         ),
         (
@@ -1331,6 +1331,11 @@ def test_a_best_effort_reader_that_answers_no_samples_is_not_behind_a_firewall()
     found = diagnosis("healthy_best_effort_seen_late")  # the endpoints were announced before
     assert found.wrong == ()
     assert "capture began late" in {one.kind for one in found.findings}
+
+
+def test_a_capture_on_another_interface_does_not_show_what_other_hosts_exchange() -> None:
+    kinds = [one.kind for one in diagnosis("cyclone_only_on_usb0").wrong]
+    assert kinds == ["interface apart"]  # and not that the two laptops never answer each other
 
 
 def test_writers_that_need_no_confirmation_do_not_show_power_saving() -> None:

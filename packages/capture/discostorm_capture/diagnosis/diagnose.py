@@ -323,7 +323,6 @@ def unexplained_pairs(evidence: Evidence, kind: str) -> Iterator[Finding]:
         apart = {frozenset(obs.hosts_of(pair.processes)) for pair in pairs}
         secured = sorted({*hosts, *obs.hosts_of(sorted(obs.secured_processes))})
         groups = {tuple(one for one in secured if {one, host} not in apart) for host in secured}
-        distinct = len(groups) > 1 and sum(map(len, groups)) == len(secured)
-        if distinct and kind == "not authenticated":
+        if kind == "not authenticated" and sum(map(len, groups)) == len(secured):
             text += say("certificates", join_names([*map(join_names, sorted(groups))], "; "))
         yield Finding(kind, hosts, text)

@@ -100,7 +100,7 @@ def _processes_before_capture(obs: Observations) -> set[int]:
     }
     # Second, processes that exchange unicast without any startup message: no announcement,
     # Heartbeat, first acknowledgement or handshake.
-    starts = obs.isin("kind", SEDP, HEARTBEAT, HANDSHAKE) & ~obs["ends"]
+    starts = obs.isin("kind", SEDP, HEARTBEAT, HANDSHAKE)
     starts |= obs.isin("submessage", "ACKNACK") & (obs.seq <= 1)
     settled = obs.senders(~obs["multicast"] & obs.isin("protocol", "RTPS")) - obs.senders(starts)
     refused = obs.hosts_refused_by_all
