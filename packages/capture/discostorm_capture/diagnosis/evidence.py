@@ -107,7 +107,18 @@ def _processes_before_capture(obs: Observations) -> set[int]:
     # Third, processes that withdraw endpoints which they never announced.
     withdrawn, told = (obs.senders(obs.isin("kind", SEDP) & (obs["ends"] == end)) for end in (1, 0))
     unseen |= withdrawn - told
+    # Fourth, processes that exchanged user data long before they announced any endpoint.
+    data = _first_times(obs, (obs["user"] > 0) & ~obs["multicast"])
+    for process, announced in _first_times(obs, obs.isin("kind", SEDP)).items():
+        if data.get(process, np.inf) < announced - LIMITS.max_startup_delay:
+            unseen.add(process)
     return unseen | {one for one in settled if obs.process_host[one] not in refused}
+
+
+def _first_times(obs: Observations, mask: Array) -> dict[int, float]:
+    """Return when each process sent the first of some messages [s]."""
+    rows = obs.rows_by(mask & (obs.sender_index >= 0), obs.sender_index)
+    return {process: float(obs.time[sent[0]]) for (process,), sent in rows.items()}
 
 
 def _missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str, str], int]:

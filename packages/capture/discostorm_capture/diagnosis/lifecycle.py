@@ -316,7 +316,7 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
         members = sorted(filter(lambda one: np.isfinite(begins[one]), members), key=begins.item)
         hosts = obs.processes_by_host(members)
         starts = [begins[processes[0]] for processes in hosts.values()]
-        gaps = np.diff(starts, prepend=starts[:1])
+        gaps = np.diff(starts, prepend=[0.0] if evidence.early_processes else starts[:1])
         for first, gap, processes in zip(starts, gaps, hosts.values(), strict=True):
             late = {member for member in members if begins[member] >= first}
             # Skip hosts if the capture cannot show whether others learned their endpoints.

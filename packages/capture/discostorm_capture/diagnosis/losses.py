@@ -50,7 +50,7 @@ def find_losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], A
     ends.update(chain(again["sender"].astype(str), again["receiver"].astype(str)))
     each = obs.messages[tcp & ~obs.isin("protocol", "TCP")].drop_duplicates("frame")
     total.update(chain(*(rows[end].astype(str) for rows in (each, again) for end in ENDS)))
-    return (len(lost), sent), (len(again), len(each) + len(again)), ends, total, when
+    return (len(lost), sent), (len(again), len(each) + len(again)), ends, +total, when
 
 
 def lost_sample_frames(
