@@ -198,7 +198,7 @@ def tcp(
 
 def prefix(host: int) -> bytes:
     """Return the GUID prefix of a host's only process, with Fast DDS."""
-    return b"\x01\x0f" + bytes(9) + bytes([host])
+    return bytes([1, 15, 0, host]) + bytes(7) + bytes([host])
 
 
 def dds(time: float, host: int, *submessages: bytes, to: int = 0) -> Packet:

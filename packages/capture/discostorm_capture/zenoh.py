@@ -36,11 +36,13 @@ _ROUTER, _UNKNOWN_ROLE = 0, 3
 _ROLES = ("router", "peer", "client")
 _code_of = zenoh_messages.MESSAGE_NAMES.index
 _HELLO, _TOKEN, _PUSH, _CLOSE = map(_code_of, ("Hello", "DeclareToken", "Push", "Close"))
-_KEY_EXPRESSION = _code_of("DeclareKeyExpr")
+_KEY_EXPRESSION, _LINK_STATES = map(_code_of, ("DeclareKeyExpr", "OAM (network)"))
 #: Codes of declarations of endpoints. A DeclareToken also declares one if it names one of ROS 2.
 _ENDPOINT_CODES = [*map(_code_of, ("DeclareSubscriber", "DeclareQueryable"))]
 #: IPv4 address of a locator in a Hello: where its process listens.
 _LOCATOR = re.compile(rb"/((?:(?:25[0-5]|2[0-4]\d|1?\d?\d)\.){3}(?:25[0-5]|2[0-4]\d|1?\d?\d)):")
+#: Where a process listens only for its own host, in what a router tells of its links.
+_LOOPBACK = re.compile(rb"/(?:127\.0\.0\.1|\[::1\]|localhost):\d+")
 #: Minimum share of readable datagrams in a session without captured start [1].
 _MIN_READABLE_SHARE = 0.8
 #: Head of the QoS extension of a fragment, which has its priority; flag of a reliable fragment.
@@ -295,13 +297,17 @@ def _add_fragments(
 def _name_samples(
     parts: list[tuple[tuple[Bytes, Columns], Columns]], opposite: Array, seen: _Roster
 ) -> None:
-    """Set the key expressions of samples, and the sequence numbers of those of rmw_zenoh."""
+    """Set the keys of samples, the sequence numbers of rmw_zenoh, and those of link states."""
     texts = dict[tuple[int, int], bytes]()
     for (data, parsed), _ in parts:
         for row, scope, suffix in zenoh_messages.key_expressions(data, parsed, _KEY_EXPRESSION):
             stream = int(parsed["stream"][row])
             texts[stream, int(parsed["number"][row])] = texts.get((stream, scope), b"") + suffix
     for (data, parsed), table in parts:
+        # The number of link states is how many addresses in them are on loopback.
+        for row in np.flatnonzero(parsed["code"] == _LINK_STATES).tolist():
+            told = data[parsed["at"][row] : parsed["end"][row]].tobytes()
+            table["number"][row] = len({*_LOOPBACK.findall(told)})
         for row, scope, suffix in zenoh_messages.key_expressions(data, parsed, _PUSH):
             stream = int(parsed["stream"][row])
             # The number is one that this side declared, or the other one.

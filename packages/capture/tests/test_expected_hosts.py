@@ -85,7 +85,7 @@ def test_in_real_fleets_the_missing_hosts_are_named(name: str, tmp_path: Path) -
     # A host that sent other packets is on.
     assert ("on and connected to the Wi-Fi" in missing[0]["advice"]) == (name != "localhost_only")
     assert str(named["summary"]).startswith("Discovery is not healthy: " + join_words(absent))
-    # A number or a fleet has no addresses: those that are there are named.
+    # A number or a fleet has no addresses: those that are there are named, or who else is on.
     fleet = tmp_path / "fleet.toml"
     fleet.write_text(f"[[groups]]\nhosts = {count}\nprocesses = 1\nendpoints = 2\n")
     there = join_words([one for one in addresses if one not in absent])
@@ -93,7 +93,10 @@ def test_in_real_fleets_the_missing_hosts_are_named(name: str, tmp_path: Path) -
         first = run("--expect", expected, path=path)["findings"][0]
         said = f"the capture shows {count - len(absent)} of {count} expected hosts ({there})"
         own = first["evidence"].split(", not counting 10.77.0.101")[0]  # a server or router
-        assert (first["kind"], own) == ("too few hosts", said)
+        if name == "localhost_only":
+            assert (first["kind"], first["hosts"]) == ("missing, but on", absent)
+        else:
+            assert (first["kind"], own) == ("too few hosts", said)
     assert not {"missing", "too few hosts"} & {
         one["kind"] for one in run("--expect", str(count - len(absent)), path=path)["findings"]
     }
@@ -233,6 +236,14 @@ def test_several_hosts_whose_multicast_never_arrives_are_told_of_it() -> None:
     (found,) = ds.read_capture(path).diagnosis(hosts).wrong
     assert (found.kind, found.hosts) == ("missing, no multicast", hosts[2:])
     assert "ros2 multicast receive" in found.advice
+
+
+def test_the_only_other_hosts_are_taken_for_the_missing_ones() -> None:
+    path = Path(__file__).with_name("captures") / "wired_and_wifi_apart.pcap.xz"
+    (found,) = ds.read_capture(path).diagnosis(4).wrong
+    assert (found.kind, found.hosts) == ("missing, no multicast", ("10.77.0.1", "10.77.0.2"))
+    assert "10.77.0.1 and 10.77.0.2, the only other hosts there" in found.evidence
+    assert [one.kind for one in ds.read_capture(path).diagnosis(5).wrong] == ["too few hosts"]
 
 
 def test_robots_of_others_in_the_domain_are_more_hosts_than_expected() -> None:

@@ -58,6 +58,44 @@ def no_free_participant_index(evidence: Evidence) -> Iterator[Finding]:
             yield Finding.of("no free index", (host,), *counts)
 
 
+def processes_beyond_searched_ports(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with processes of Cyclone DDS that no other host finds, as their ports are used.
+
+    Only a capture that includes the loopback interface shows these processes.
+    """
+    obs, ports = evidence.obs, _searched_ports(evidence.obs)
+    if (obs.isin("kind", "SPDP") & obs["multicast"]).any():
+        return
+    cyclone, met = obs.processes["product"].eq("Cyclone DDS"), np.isfinite(obs.first_last[0])
+    for host, found in ports.items():
+        here = cyclone & (obs.process_host == host)
+        domains = obs.processes["domain"][here & met].unique()
+        local = here & ~met & obs.processes["domain"].isin(domains)
+        if local.any() and len(found) > 1 and (here & met).sum() >= len(found):
+            counts = int(local.sum()), int(here.sum()), min(found), max(found)
+            yield Finding.of("too few indices", (host,), *counts)
+
+
+def same_host_numbers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that Fast DDS takes for one machine, so that they do not use the network."""
+    obs, hosts, numbers = evidence.obs, dict[str, None](), set[str]()
+    fast = obs.processes["product"].eq("Fast DDS").to_numpy()
+    number = obs.processes.index.astype(str).str[4:8]  # after the vendor's (DDSI-RTPS, 8.2.4)
+    for pair in evidence.incomplete_pairs:
+        one, other = pair.processes
+        ends = obs.hosts_of(pair.processes)
+        alike = fast[one] and fast[other] and number[one] == number[other]
+        alike &= not any({*ends} <= of for of in obs.hosts_by_mac.values())
+        sent = [obs.messages_between(*of) for of in permutations(pair.processes)]
+        talk = any((of & ~obs["multicast"]).any() for of in sent)
+        # With DDS Security, the number is a hash of the name of the certificate.
+        if alike and not talk and not {*pair.processes} & obs.secured_processes:
+            hosts.update(dict.fromkeys(ends))
+            numbers.add(number[one])
+    if len(hosts) > 1:
+        yield Finding.of("same host number", hosts, sorted(numbers))
+
+
 def initial_peers_end_too_early(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with more processes than ports at which Fast DDS searches for its peers."""
     obs, ports = evidence.obs, _searched_ports(evidence.obs)
@@ -77,8 +115,9 @@ def initial_peers_end_too_early(evidence: Evidence) -> Iterator[Finding]:
 def _searched_ports(obs: Observations) -> dict[str, set[int]]:
     """Return the ports at which others search for processes, by host."""
     ports: dict[str, set[int]] = {}
-    for _, _, host, port, _ in obs.event_tuples("asked"):
-        ports.setdefault(host, set()).update([port] * (port % 2 == 0))  # odd ones are for user data
+    for _, caller, host, port, _ in obs.event_tuples("asked"):
+        if caller != host and port % 2 == 0:  # odd ones are for user data
+            ports.setdefault(host, set()).add(port)
     return ports
 
 
@@ -127,13 +166,18 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
     """Yield Zenoh peers that only have a session with a router, which declares nothing to them."""
     obs = evidence.obs
     opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
-    routers_of = dict[str, tuple[str, ...]]()
-    for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
+    routers_of, links = dict[str, tuple[str, ...]](), obs.isin("submessage", "OAM (network)")
+    peers, hidden = np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist(), False
+    for peer in peers:
         to_it = obs.receiver_index == peer
         others, declared = obs.senders(to_it), (to_it & declares).any()
+        # Peers on loopback, beside those on its own host, of which the router tells.
+        beside = len(obs.processes_by_host(peers)[obs.process_host[peer]]) - 1
+        hides = obs.seq[to_it & links].max(initial=0) > beside
         lasts = obs.recording.recorded_time - obs.first_last[0][peer] >= LIMITS.timeout
         seen = (to_it & opened).any() and lasts
-        if seen and others <= obs.servers and not declared:
+        if seen and others <= obs.servers and (hides or not declared):
+            hidden |= hides
             routers_of[obs.process_host[peer]] = obs.hosts_of(others)
     hosts, routers = [*routers_of], sorted({*chain(*routers_of.values())})
     calls = Counter(row[1:3] for row in obs.event_tuples("unanswered") if {*row[1:3]} <= {*hosts})
@@ -145,7 +189,7 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
         text = f"{join_names(hosts)} have sessions only with {join_names(routers)}"
         text += f", and sent each other connection or ARP requests ({counts}), but got no answer"
         yield Finding("client isolation", tuple(hosts), text)
-    elif len(hosts) > 1:  # so there are other nodes
+    elif len(hosts) > 1 or hidden:  # so there are other nodes
         yield Finding.of("peers at a router", hosts, routers)
     else:
         yield from (Finding.of("peer at a router", [host], routers) for host in hosts)

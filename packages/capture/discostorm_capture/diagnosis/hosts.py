@@ -364,27 +364,29 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield expected hosts that announced nothing."""
     obs, expected = evidence.obs, evidence.obs.expected_hosts
     present = {str(host) for scope in evidence.scopes for host in scope.hosts}
+    there = {*obs.network_events["sender"].astype(str)}
     if isinstance(expected, int):
         seen = sorted(present - obs.server_hosts)
-        if len(seen) < expected:
-            text = f"the capture shows {len(seen)} of {expected} expected hosts"
-            text += f" ({join_names(seen)})" if seen else ""
-            if apart := present & obs.server_hosts:
-                text += f", not counting {join_names(sorted(apart))}, which seems to be a server"
-            there = {*obs.network_events["sender"].astype(str)}
-            often = [(*of, len(times)) for of, times in obs.unanswered_arp.items() if of[0] in seen]
-            sought = [
-                of[:2] for of in often if of[1] not in there and of[2] >= LIMITS.min_unanswered
-            ]
-            if sought:
-                text += say("seeks nobody", [f"{by} for {of}" for by, of in sought])
-                if mute := obs.subnet_neighbors(sought[0][0], sorted(there - present)):
-                    text += say("mute", mute)
-                callers = tuple(dict.fromkeys(by for by, _ in sought))
-                yield Finding("too few hosts, wrong address", callers, text)
-                return
+        if len(seen) >= expected:
+            return
+        text = f"the capture shows {len(seen)} of {expected} expected hosts"
+        text += f" ({join_names(seen)})" if seen else ""
+        if apart := present & obs.server_hosts:
+            text += f", not counting {join_names(sorted(apart))}, which seems to be a server"
+        often = [(*of, len(times)) for of, times in obs.unanswered_arp.items() if of[0] in seen]
+        sought = [of[:2] for of in often if of[1] not in there and of[2] >= LIMITS.min_unanswered]
+        mute = obs.subnet_neighbors(seen[0], sorted(there - present)) if seen else []
+        if sought:
+            text += say("seeks nobody", [f"{by} for {of}" for by, of in sought])
+            text += say("mute", mute) if mute else ""
+            callers = tuple(dict.fromkeys(by for by, _ in sought))
+            yield Finding("too few hosts, wrong address", callers, text)
+            return
+        if len(mute) != expected - len(seen):
             yield Finding("too few hosts", (), text)
-    elif absent := tuple(host for host in expected or () if host not in present):
+            return
+        expected = (*seen, *mute)  # the only hosts that can be the missing ones
+    if absent := tuple(host for host in expected or () if host not in present):
         routers = {*obs.hosts_of(obs.servers)} - {obs.vantage_host}
         if obs.vantage_host and routers and not obs.is_rtps.any():
             yield Finding.of("maybe missing", absent, obs.vantage_host, sorted(routers))
@@ -392,10 +394,10 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
         silent = [host for host in absent if obs.network_events["sender"].eq(host).any()]
         text = f"{len(absent)} of {len(expected or ())} expected hosts announced nothing: "
         text += join_names(absent)
+        text += ", the only other hosts there" if isinstance(obs.expected_hosts, int) else ""
         if silent:
             they = "it is" if len(silent) == 1 else "they are"
             text += f"; {join_names(silent)} sent other packets, so {they} on the network"
-        there = {*obs.network_events["sender"].astype(str)}
         vain = [pair for pair in obs.unanswered_arp if pair[0] in silent and pair[1] not in there]
         if asks := [f"{by} asked for {of}" for by, of in vain]:
             text += f"; {join_names(asks)} by ARP, and got no answer"

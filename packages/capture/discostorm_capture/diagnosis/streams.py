@@ -42,8 +42,8 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
     seconds = obs["airtime_s"] * obs["user"] * ~obs.isin("submessage", "ACKNACK")
     lossy = {host for one in repeated_multicast(evidence) for host in one.hosts}
     # A link that loses or delays frames may be slower than the channel.
-    slow = [one for one in losses.frame_loss(evidence) if one.about == "fleet"]
-    slow = slow or [*losses.late_deliveries(evidence)]
+    lost = [one for one in losses.frame_loss(evidence) if one.about == "fleet"]
+    slow = lost or [*losses.late_deliveries(evidence)]
     slow = [one for one in slow if one.kind not in losses.CROWDED]
     limit = LIMITS.max_multicast_use if slow else 1.0
     kinds = {"stream by multicast": LIMITS.max_multicast_use}
@@ -77,7 +77,14 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
             signs = [one.evidence for one in slow]
             named = [*topic.map(ros_topic)] or ["the largest stream"]
             to = f" to {join_names(readers)}" if len(readers) else ""
-            yield Finding(kind, hosts, say(kind, hosts, named, *shares, to, *signs))
+            text = say(kind, hosts, named, *shares, to, *signs)
+            parts = obs["frames"][flows[keys[0]]]
+            split = 2 * parts[parts >= LIMITS.min_datagram_parts].sum() >= parts.sum()
+            split &= obs.is_rtps[keys[0][1]]
+            if split and lost and not cast:
+                text += say("datagram parts", int(np.ceil(parts.max())))
+                kind = "stream in parts"
+            yield Finding(kind, hosts, text)
 
 
 def copies_to_other_addresses(evidence: Evidence) -> Iterator[Finding]:
