@@ -1655,3 +1655,13 @@ def test_losses_of_a_stream_in_large_datagrams_are_told_with_their_fragments() -
     found = kinds["stream in parts"]
     assert found.evidence.endswith("a datagram has up to 45 IP fragments")
     assert "datagrams that fit a frame help" in found.advice
+
+
+def test_a_process_at_a_searched_port_will_be_found_later() -> None:
+    frames = handmade.packets("index_above_nine", STAGED)
+    mine, laptop = bytes.fromhex("0110d6e1915fcf402d3408fb"), bytes([10, 77, 0, 2])
+    # As if one of the processes that the laptop finds had just started.
+    kept = [frame for frame in frames if not (mine in frame[1] and laptop in frame[1])]
+    found = ds.read_capture(io.BytesIO(handmade.pcap(kept, link=276))).diagnosis()
+    assert len(kept) < len(frames)
+    assert not found.wrong

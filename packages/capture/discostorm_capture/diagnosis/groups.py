@@ -64,15 +64,12 @@ def processes_beyond_searched_ports(evidence: Evidence) -> Iterator[Finding]:
     Only a capture that includes the loopback interface shows these processes.
     """
     obs, ports = evidence.obs, _searched_ports(evidence.obs)
-    if (obs.isin("kind", "SPDP") & obs["multicast"]).any():
-        return
     cyclone, met = obs.processes["product"].eq("Cyclone DDS"), np.isfinite(obs.first_last[0])
     for host, found in ports.items():
         here = cyclone & (obs.process_host == host)
-        domains = obs.processes["domain"][here & met].unique()
-        local = here & ~met & obs.processes["domain"].isin(domains)
-        if local.any() and len(found) > 1 and (here & met).sum() >= len(found):
-            counts = int(local.sum()), int(here.sum()), min(found), max(found)
+        local = int((here & ~met).sum())
+        if local and (here & met).sum() >= len(found):
+            counts = local, int(here.sum()), min(found), max(found)
             yield Finding.of("too few indices", (host,), *counts)
 
 
@@ -83,16 +80,13 @@ def same_host_numbers(evidence: Evidence) -> Iterator[Finding]:
     number = obs.processes.index.astype(str).str[4:8]  # after the vendor's (DDSI-RTPS, 8.2.4)
     for pair in evidence.incomplete_pairs:
         one, other = pair.processes
-        ends = obs.hosts_of(pair.processes)
         alike = fast[one] and fast[other] and number[one] == number[other]
-        alike &= not any({*ends} <= of for of in obs.hosts_by_mac.values())
         sent = [obs.messages_between(*of) for of in permutations(pair.processes)]
         talk = any((of & ~obs["multicast"]).any() for of in sent)
-        # With DDS Security, the number is a hash of the name of the certificate.
-        if alike and not talk and not {*pair.processes} & obs.secured_processes:
-            hosts.update(dict.fromkeys(ends))
+        if alike and not talk:
+            hosts.update(dict.fromkeys(obs.hosts_of(pair.processes)))
             numbers.add(number[one])
-    if len(hosts) > 1:
+    if hosts:
         yield Finding.of("same host number", hosts, sorted(numbers))
 
 
