@@ -11,8 +11,10 @@ from discostorm.data import read_data
 from discostorm_capture._types import Columns, Notes
 from discostorm_capture.pcap import Packets
 
-#: Direction of a Wi-Fi frame: to or from the access point; otherwise 0.
-UPLINK, DOWNLINK = 1, 2
+#: Direction of a Wi-Fi frame, to or from the access point, and of what the recording host sent on
+#: Linux's "any" interface (PACKET_OUTGOING of packet(7)); otherwise 0.
+UPLINK, DOWNLINK, OUTGOING = 1, 2, 3
+_PACKET_OUTGOING = 4
 
 IPV4, IPV6, ARP = 0x0800, 0x86DD, 0x0806
 _IP_AND_ARP = (IPV4, IPV6, ARP)
@@ -108,13 +110,15 @@ def _read_sll(data: memoryview, at: int, end: int, point: int, _notes: Notes) ->
     if end - at >= 16:
         # Add the direction: the "any" interface may show a packet both as sent and as received.
         point = point << 8 | _u16(data, at)[0] & 0xFF
-        yield FramePayload(_u16(data, at + 14)[0], at + 16, end, point)
+        direction = OUTGOING * (point & 0xFF == _PACKET_OUTGOING)
+        yield FramePayload(_u16(data, at + 14)[0], at + 16, end, point, direction)
 
 
 def _read_sll2(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> FramePayloads:
     if end - at >= 20:
         point = (point << 40 | _u32(data, at + 4)[0] << 8 | data[at + 10]) & 2**63 - 1
-        yield FramePayload(_u16(data, at)[0], at + 20, end, point)
+        direction = OUTGOING * (data[at + 10] == _PACKET_OUTGOING)
+        yield FramePayload(_u16(data, at)[0], at + 20, end, point, direction)
 
 
 def _read_loopback(data: memoryview, at: int, end: int, point: int, notes: Notes) -> FramePayloads:

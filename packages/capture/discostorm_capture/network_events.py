@@ -18,11 +18,12 @@ EVENT_KINDS = (
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
     *("time stamp", "parts missing", "other traffic", "MAC", "prohibited"),
     *("jitter", "incomplete", "unknown name", "to MAC", "full window"),
+    "own address",
 )
 _ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
 _HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED = range(6, 11)
 _TIME_STAMP, _PARTS, _OTHER, _MAC, _PROHIBITED = range(11, 16)
-_JITTER, _INCOMPLETE, _NO_NAME, _TO_MAC, _FULL_WINDOW = range(16, 21)
+_JITTER, _INCOMPLETE, _NO_NAME, _TO_MAC, _FULL_WINDOW, _OWN_ADDRESS = range(16, 22)
 _ARP_BYTES, _DESTINATION_UNREACHABLE, _REASSEMBLY_TIMEOUT = 28, 3, 0x0B01
 _ECHO_REPLY, _ECHO_REQUEST = 0, 8
 #: ICMP codes of a firewall that rejects a packet: network, host or communication (RFC 1812).
@@ -198,6 +199,16 @@ def mac_addresses(packets: Columns) -> Columns:
     _, first = factorize(packets["source"], packets["target"], packets["to_mac"])
     to = _events_of_rows(_TO_MAC, packets, first) | {"port": packets["to_mac"][first]}
     return concat(own, to)
+
+
+def own_addresses(packets: Columns) -> Columns:
+    """Return one event for each address from which the recording host sends, and no other host."""
+    sent = packets["direction"] == link_layer.OUTGOING
+    came = ~sent & (packets["source"] != packets["target"])  # a router sends on what came
+    source, first = np.unique(packets["source"][sent], return_index=True)
+    rows = np.flatnonzero(sent)[first[~np.isin(source, packets["source"][came])]]
+    columns = {name: packets[name][rows] for name in ("frame", "source", "target")}
+    return _event_table(_OWN_ADDRESS, **columns, port=np.zeros(len(rows), np.int64))
 
 
 def incomplete_datagrams(fragments: Columns, rows: Array) -> Columns:

@@ -6,7 +6,17 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from discostorm_capture import ip, network_events, pcap, rtps, tcp, transport, zenoh, zenoh_messages
+from discostorm_capture import (
+    ip,
+    link_layer,
+    network_events,
+    pcap,
+    rtps,
+    tcp,
+    transport,
+    zenoh,
+    zenoh_messages,
+)
 from discostorm_capture._arrays import concat, take_rows
 from discostorm_capture._types import Array, Columns, DataFrame, Notes
 from discostorm_capture.capture import Capture
@@ -182,7 +192,7 @@ def _message_table(
         "bytes": messages["bytes"],
         "sender": categorical(messages["source"], addresses),
         "receiver": categorical(messages["target"], addresses),
-        "way": categorical(messages["direction"], _DIRECTIONS),
+        "way": categorical(messages["direction"] % link_layer.OUTGOING, _DIRECTIONS),
         "process": categorical(messages["process"], [*processes, ""]),
         "peer": categorical(messages["peer"], [*processes, ""]),
         "submessage": _names_by_protocol(protocol, messages["submessage"], submessages),

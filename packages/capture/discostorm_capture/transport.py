@@ -55,7 +55,8 @@ def parse_transport(packets: Packets, notes: Notes) -> IpContent:
     icmp = network_events.icmp_unreachable_events(data, network, addresses)
     start = packets.table["time"].min(initial=0)
     pings = network_events.echo_jitter(data, network, (packets.table["time"] - start) * 1e-9)
-    events = concat(arp, icmp, network_events.icmp_echoes(data, network), pings, broken)
+    own = network_events.own_addresses(network)
+    events = concat(arp, icmp, network_events.icmp_echoes(data, network), pings, broken, own)
     counts = {"ARP": len(arp["frame"])} | {
         name: int(network["parts"][network["protocol"] == protocol].sum())
         for name, protocol in (("UDP", ip.UDP), ("TCP", ip.TCP))

@@ -209,7 +209,7 @@ def late_delivery(later: float) -> bool:
         (rtps_silence, 11.9, 12.1),
         (zenoh_silence, 74.0, 76.0),
         (heavy_loss, 0.0152, 0.0168),
-        (some_loss, 1, 2),
+        (some_loss, 2, 3),
         (reading, 0.019, 0.021),
         (quiet_end, 0.95, 1.05),
         (late_begin, 0.95, 1.05),

@@ -744,6 +744,20 @@ def test_what_may_be_meant_is_said_above_a_healthy_fleet(
             "On the access point, turn off client isolation (ap_isolate=0 in hostapd), and filters",
         ),
         (
+            "lidar_port_taken",  # on all interfaces of the host that uses the wrong one
+            "wrong own interface",
+            "192.168.1.5",
+            "the host that recorded also has the address 10.77.0.3, in the other hosts' subnet",
+            "Run `ip address` on 192.168.1.5, and name the interface of the robots' network",
+        ),
+        (
+            "peers_at_wrong_port",
+            "refuses",
+            "10.77.0.1",
+            "sent packets to port 5100 on 10.77.0.1",
+            "Start the server, router or agent on 10.77.0.1 (`ss -lunp`",
+        ),
+        (
             "cyclone_only_on_usb0",  # two hosts in each subnet
             "interface apart",
             "192.168.186.3",
@@ -1665,3 +1679,9 @@ def test_a_process_at_a_searched_port_will_be_found_later() -> None:
     found = ds.read_capture(io.BytesIO(handmade.pcap(kept, link=276))).diagnosis()
     assert len(kept) < len(frames)
     assert not found.wrong
+
+
+def test_announcements_that_nobody_takes_are_no_talk_of_before_the_capture() -> None:
+    found = diagnosis("peers_at_wrong_port")
+    assert [one.kind for one in found.findings] == ["refuses"]
+    assert "or in the initial peers of a profile" in found.findings[0].advice

@@ -204,7 +204,7 @@ def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -
     if size < len(hosts):
         pairs = zip(hosts, subnets, strict=True)
         outside = tuple(host for host, one in pairs if one != largest or size == 1)
-        yield _other_subnet(outside, say("other subnet", hosts))
+        yield _other_subnet(obs, outside, say("other subnet", hosts))
         if size <= len(hosts) // 2 + 1:
             return  # different subnets explain the missing answers
     links = obs.links_of(obs.messages)
@@ -250,7 +250,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
             text += say("idle address", idle)
             yield Finding("interface apart", tuple(hosts[outside]), text)
         else:
-            yield _other_subnet(tuple(hosts[outside]), text)
+            yield _other_subnet(obs, tuple(hosts[outside]), text)
         deaf &= (outside[:, None] == outside) & reach.receives.any(axis=1)
     several = pairs.sum(axis=1) > 1
     if obs.vantage_host in reach.hosts:  # the others have only one pair in the capture
@@ -283,7 +283,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
         others = hosts[subnets != subnets[index]]
         if len(others) == len(hosts) - 1:
             text = say("answers in one subnet", [hosts[index], *others])
-            yield _other_subnet((hosts[index],), text)
+            yield _other_subnet(obs, (hosts[index],), text)
             deaf[index, :] = False
             continue
         arrives = _describe_arp_replies(obs, hosts[index])
@@ -323,8 +323,12 @@ def _groups_without_multicast(
         deaf[:] = False
 
 
-def _other_subnet(hosts: tuple[str, ...], text: str) -> Finding:
+def _other_subnet(obs: Observations, hosts: tuple[str, ...], text: str) -> Finding:
     """Return a finding about hosts in another subnet, or in the default network of Docker."""
+    own, others = {*obs.events("own address")["sender"].astype(str)}, {*obs.host_first_last}
+    near = sorted(one for one in own - others if obs.subnet_neighbors(one, others))
+    if {*hosts} <= own and near:
+        return Finding("wrong own interface", hosts, text + say("wrong own interface", near))
     # The first address of that network is the one of the host.
     first = {host.endswith(".0.1") for host in hosts}
     if len(first) > 1 or any(ip_address(host) not in DOCKER_NETWORK for host in hosts):

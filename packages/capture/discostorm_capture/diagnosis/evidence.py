@@ -102,7 +102,9 @@ def _processes_before_capture(obs: Observations) -> set[int]:
     # Heartbeat, first acknowledgement or handshake.
     starts = obs.isin("kind", SEDP, HEARTBEAT, HANDSHAKE)
     starts |= obs.isin("submessage", "ACKNACK") & (obs.seq <= 1)
-    settled = obs.senders(~obs["multicast"] & obs.isin("protocol", "RTPS")) - obs.senders(starts)
+    talks = ~obs["multicast"] & obs.isin("protocol", "RTPS")
+    talks &= obs.isin("receiver", *{*obs.process_host})  # not to one that refuses all
+    settled = obs.senders(talks) - obs.senders(starts)
     refused = obs.hosts_refused_by_all
     # Third, processes that withdraw endpoints which they never announced.
     withdrawn, told = (obs.senders(obs.isin("kind", SEDP) & (obs["ends"] == end)) for end in (1, 0))

@@ -142,11 +142,13 @@ def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts without multicast to which another host sends nothing after they started."""
     obs, texts = evidence.obs, dict[str, str]()
     looking, served = _multicast_targets(obs), server_clients(obs) | obs.servers
+    heard = {*obs.messages["receiver"].astype(str)}
     sent = obs.messages.groupby(["sender", "receiver"], observed=True)["time"].max().to_dict()
     for pair in evidence.incomplete_pairs:
         ends = obs.hosts_of(pair.processes)
         apart = {*pair.processes} & served or {*ends} & {*looking}
-        if apart or not obs.is_rtps[pair.subject]:
+        # Two hosts that hear nothing may both list a third one.
+        if apart or not obs.is_rtps[pair.subject] or heard.isdisjoint(ends):
             continue
         begin, late = max((obs.host_first_last.get(host, (0.0,))[0], host) for host in ends)
         last = max(sent.get(ends, -np.inf), sent.get(ends[::-1], -np.inf))

@@ -66,7 +66,8 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
         own = {key[1:] for key in keys}
         sent = [pair in own for pair in zip(ends["index"], ends["entity"], strict=True)]
         topic = ends["topic"][np.array(sent, bool)]
-        hosts = tuple(dict.fromkeys(str(sender.categories[key[0]]) for key in keys))
+        by = dict.fromkeys(str(sender.categories[key[0]]) for key in keys)
+        hosts = tuple(host for host in by if host not in obs.server_hosts) or (*by,)
         reads = ends["topic"].isin(topic) & ends["writer"].eq(other=False)
         readers = ends["host"][reads & ~ends["host"].isin(hosts)].unique()
         airtimes = seconds[together].sum(), seconds[rows].sum()
