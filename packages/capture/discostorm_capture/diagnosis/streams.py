@@ -43,8 +43,9 @@ def data_fills_channel(evidence: Evidence) -> Iterator[Finding]:
     lossy = {host for one in repeated_multicast(evidence) for host in one.hosts}
     # A link that loses or delays frames may be slower than the channel.
     lost = [one for one in losses.frame_loss(evidence) if one.about == "fleet"]
-    slow = lost or [*losses.late_deliveries(evidence)]
-    slow = [one for one in slow if one.kind not in losses.CROWDED]
+    lost = [one for one in lost if one.kind not in losses.CROWDED]
+    late = [one for one in losses.late_deliveries(evidence) if one.kind not in losses.CROWDED]
+    slow = lost or late
     limit = LIMITS.max_multicast_use if slow else 1.0
     kinds = {"stream by multicast": LIMITS.max_multicast_use}
     kinds |= {"stream on a slow link" if slow else "much data": limit}
