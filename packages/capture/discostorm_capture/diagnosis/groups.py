@@ -80,10 +80,10 @@ def same_host_numbers(evidence: Evidence) -> Iterator[Finding]:
     number = obs.processes.index.astype(str).str[4:8]  # after the vendor's (DDSI-RTPS, 8.2.4)
     for pair in evidence.incomplete_pairs:
         one, other = pair.processes
-        alike = fast[one] and fast[other] and number[one] == number[other]
+        if not (fast[one] and fast[other] and number[one] == number[other]):
+            continue
         sent = [obs.messages_between(*of) for of in permutations(pair.processes)]
-        talk = any((of & ~obs["multicast"]).any() for of in sent)
-        if alike and not talk:
+        if not any((of & ~obs["multicast"]).any() for of in sent):
             hosts.update(dict.fromkeys(obs.hosts_of(pair.processes)))
             numbers.add(number[one])
     if hosts:
@@ -164,11 +164,12 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
     opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
     routers_of, links = dict[str, tuple[str, ...]](), obs.isin("submessage", "OAM (network)")
     peers, hidden = np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist(), False
+    by_host = obs.processes_by_host(peers)
     for peer in peers:
         to_it = obs.receiver_index == peer
         others, declared = obs.senders(to_it), (to_it & declares).any()
         # Peers on loopback, beside those on its own host, of which the router tells.
-        beside = len(obs.processes_by_host(peers)[obs.process_host[peer]]) - 1
+        beside = len(by_host[obs.process_host[peer]]) - 1
         hides = obs.seq[to_it & links].max(initial=0) > beside
         lasts = obs.recording.recorded_time - obs.first_last[0][peer] >= LIMITS.timeout
         seen = (to_it & opened).any() and lasts
